@@ -1,0 +1,87 @@
+#ifndef DPCONTACT_SOLVER_SOLVE_H
+#define DPCONTACT_SOLVER_SOLVE_H
+
+#include "solver/curve.h"
+#include "solver/first_yield.h"
+#include "solver/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dpcontact
+{
+  /// How the impenetrability of the contact is enforced.
+  enum class ContactMethod
+  {
+    augmented, ///< augmented Lagrangian: the penalty leaves no trace
+    penalty    ///< plain penalty: an error that falls with the stiffness
+  };
+
+  /// In which units the equations are solved.
+  enum class Units
+  {
+    scaled, ///< lengths by the expected contact radius, stresses by E a/R
+    si      ///< none: a check that the scaling changes nothing
+  };
+
+  /// Everything that a curve depends on besides material and scene. One source of defaults.
+  struct SolverOptions
+  {
+    unsigned int  resolution        = 20;    ///< elements across the contact radius at the peak
+    unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
+    double        domain_radius     = 200;   ///< far boundary, in contact radii
+    double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)
+    double        step_tolerance    = 2e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    ContactMethod contact           = ContactMethod::augmented;
+    double        penalty_stiffness = 1e4;   ///< in units of E/a
+    Units         units             = Units::scaled;
+
+    /// @throws InputError naming the option, its value and its range.
+    void check() const;
+  };
+
+  /// Contact pressure at one radius.
+  struct PressurePoint
+  {
+    double radius;   ///< m
+    double pressure; ///< Pa, compression positive
+  };
+
+  /// What a curve cost.
+  struct Cost
+  {
+    unsigned int  dofs              = 0;
+    unsigned int  steps             = 0; ///< converged load steps, both branches
+    unsigned int  newton_iterations = 0;
+    unsigned int  cut_backs         = 0;
+    double        wall_seconds      = 0;
+    std::uint64_t peak_memory_bytes = 0;
+  };
+
+  /// A computed scene.
+  struct Solution
+  {
+    FirstYield                 yield;
+    Curve                      curve;
+    std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
+    Cost                       cost;
+    unsigned int               apex_points = 0; ///< converged apex states met over the whole path
+    std::vector<std::string>   warnings;        ///< e.g. small strain left behind
+  };
+
+  /// Told after every converged step: stage, fraction of the branch done (0…1), Newton iterations.
+  using StepObserver = std::function<void(const char *stage, double fraction, int newton_iterations)>;
+
+  /// Computes one loading–unloading curve of two identical spheres by finite elements.
+  /// @param fields_directory where the VTU files of the peak and the released state go; empty: none.
+  /// @throws InputError for values out of range, SolverError where the load path cannot be completed.
+  Solution solve_contact(const Material      &material,
+                         const Scene         &scene,
+                         const SolverOptions &options,
+                         const std::string   &fields_directory = {},
+                         const StepObserver  &observer         = {});
+} // namespace dpcontact
+
+#endif
