@@ -22,6 +22,7 @@ namespace dpcontact
 
   /// First yield of two identical spheres, on the axis (Wang et al. 2018, eqs 8–13, with the factor
   /// (1+ν) that eq (10) lacks restored) and on the ring r = a (σ_r = −σ_θ = (1−2ν)P₀/3).
+  /// Both yield at a finite load for every material that Material::check accepts.
   ///
   /// @throws InputError where material or radius are out of range.
   FirstYield first_yield(const Material &material, double radius);

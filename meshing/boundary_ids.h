@@ -1,0 +1,12 @@
+#ifndef DPCONTACT_MESHING_BOUNDARY_IDS_H
+#define DPCONTACT_MESHING_BOUNDARY_IDS_H
+
+namespace dpcontact::boundary
+{
+  // The named boundaries of every mesh. In gmsh they are physical groups of these names.
+  constexpr unsigned int axis    = 1; ///< r = 0
+  constexpr unsigned int surface = 2; ///< the sphere's surface, y = 0 in the small-strain half-space
+  constexpr unsigned int far     = 3; ///< the far boundary, where the exterior takes over
+} // namespace dpcontact::boundary
+
+#endif

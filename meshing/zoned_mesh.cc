@@ -1,0 +1,128 @@
+#include "meshing/zoned_mesh.h"
+
+#include "meshing/boundary_ids.h"
+#include "meshing/errors.h"
+#include "meshing/gmsh_session.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dpcontact
+{
+  namespace
+  {
+    /// Halvings between the blocks that gmsh makes and the cells at the contact.
+    constexpr unsigned int halvings = 3;
+
+    void require(const bool holds, const char *name, const double value, const char *range)
+    {
+      if (holds)
+        return;
+      std::ostringstream message;
+      message << "mesh zones: " << name << " = " << value << " is out of range; it must be " << range;
+      throw InputError(message.str());
+    }
+
+    /// Number of rings from `inner` to `outer` when each is `growth` times as wide as the one before
+    /// and the first is about `first` wide.
+    int number_of_rings(const double inner, const double outer, const double first, const double growth)
+    {
+      return std::max(
+        3, static_cast<int>(std::lround(std::log(1 + (outer - inner) * (growth - 1) / first) / std::log(growth))));
+    }
+  } // namespace
+
+  void Zones::check() const
+  {
+    require(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
+    require(level <= 6, "level", level, "at most 6");
+    require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
+    require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
+    require(fine_depth > 0 && fine_depth <= medium_depth, "fine_depth", fine_depth, "positive and at most medium_depth");
+    require(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
+    require(std::isfinite(domain_radius) && domain_radius >= 2 * plastic_zone,
+            "domain_radius", domain_radius, "finite and at least twice plastic_zone");
+    require(growth > 1 && growth <= 3, "growth", growth, "above 1 and at most 3");
+    require(std::isfinite(stretch) && stretch > 0, "stretch", stretch, "positive");
+  }
+
+  void make_zoned_mesh(const Zones &zones, dealii::Triangulation<2> &mesh)
+  {
+    zones.check();
+    const double c = zones.contact_zone;
+    const double d = zones.domain_radius / std::sqrt(2.);
+    const int    block_cells =
+      std::max(1, static_cast<int>(std::lround(zones.resolution * c / (1 << halvings))));
+    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh.
+    const double growth = std::pow(zones.growth, 20. / zones.resolution);
+    const int    rings  = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
+
+    {
+      const GmshSession gmsh_session;
+      namespace geo          = gmsh::model::geo;
+      const int origin       = geo::addPoint(0, 0, 0);
+      const int core_right   = geo::addPoint(c, 0, 0);
+      const int core_corner  = geo::addPoint(c, -c, 0);
+      const int core_bottom  = geo::addPoint(0, -c, 0);
+      const int far_right    = geo::addPoint(zones.domain_radius, 0, 0);
+      const int far_corner   = geo::addPoint(d, -d, 0);
+      const int far_bottom   = geo::addPoint(0, -zones.domain_radius, 0);
+
+      const int core_surface = geo::addLine(origin, core_right);
+      const int core_side    = geo::addLine(core_right, core_corner);
+      const int core_floor   = geo::addLine(core_corner, core_bottom);
+      const int core_axis    = geo::addLine(core_bottom, origin);
+      const int ray_surface  = geo::addLine(core_right, far_right);
+      const int ray_diagonal = geo::addLine(core_corner, far_corner);
+      const int ray_axis     = geo::addLine(core_bottom, far_bottom);
+      const int arc_side     = geo::addCircleArc(far_right, origin, far_corner);
+      const int arc_floor    = geo::addCircleArc(far_corner, origin, far_bottom);
+
+      // Counter-clockwise seen with r to the right and y upwards.
+      const int core = geo::addPlaneSurface(
+        {geo::addCurveLoop({-core_axis, -core_floor, -core_side, -core_surface})});
+      const int side = geo::addPlaneSurface(
+        {geo::addCurveLoop({core_side, ray_diagonal, -arc_side, -ray_surface})});
+      const int floor = geo::addPlaneSurface(
+        {geo::addCurveLoop({core_floor, ray_axis, -arc_floor, -ray_diagonal})});
+
+      for (const int line : {core_surface, core_side, core_floor, core_axis, arc_side, arc_floor})
+        geo::mesh::setTransfiniteCurve(line, block_cells + 1);
+      for (const int ray : {ray_surface, ray_diagonal, ray_axis})
+        geo::mesh::setTransfiniteCurve(ray, rings + 1, "Progression", growth);
+      for (const int s : {core, side, floor})
+        {
+          geo::mesh::setTransfiniteSurface(s);
+          geo::mesh::setRecombine(2, s);
+        }
+      geo::synchronize();
+      gmsh::model::addPhysicalGroup(1, {core_axis, ray_axis}, boundary::axis);
+      gmsh::model::addPhysicalGroup(1, {core_surface, ray_surface}, boundary::surface);
+      gmsh::model::addPhysicalGroup(1, {arc_side, arc_floor}, boundary::far);
+      gmsh::model::addPhysicalGroup(2, {core, side, floor}, 1);
+      gmsh::model::setPhysicalName(1, boundary::axis, "axis");
+      gmsh::model::setPhysicalName(1, boundary::surface, "surface");
+      gmsh::model::setPhysicalName(1, boundary::far, "far");
+      gmsh_session.mesh_into(mesh);
+    }
+
+    const auto refine = [&mesh](const double width, const double depth) {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->center()[0] < width && -cell->center()[1] < depth)
+          cell->set_refine_flag();
+      mesh.execute_coarsening_and_refinement();
+    };
+    refine(zones.plastic_zone, zones.plastic_zone);
+    refine(c, zones.medium_depth);
+    refine(c, zones.fine_depth);
+    mesh.refine_global(zones.level);
+    if (zones.stretch != 1)
+      dealii::GridTools::scale(zones.stretch, mesh);
+    check_mesh(mesh);
+  }
+} // namespace dpcontact

@@ -1,0 +1,30 @@
+#ifndef DPCONTACT_MESHING_ZONES_H
+#define DPCONTACT_MESHING_ZONES_H
+
+namespace dpcontact
+{
+  /// What a zoned mesh looks like. All lengths are in units of the contact radius that the scene
+  /// will reach, so that one mesh serves every material whose load level it fits.
+  ///
+  /// Around the origin lies a square block of side `contact_zone`, meshed by squares; rings graded
+  /// geometrically lead from there to a circle of radius `domain_radius`. Cells are halved
+  /// in three nested zones towards the contact: ρ < `plastic_zone`, then depth < `medium_depth`
+  /// and depth < `fine_depth` under the contact zone. Between zones stand hanging nodes.
+  struct Zones
+  {
+    unsigned int resolution    = 20;   ///< elements across the contact radius; all sizes follow it
+    unsigned int level         = 0;    ///< uniform refinements on top
+    double       contact_zone  = 1.2;  ///< how far the fine surface reaches
+    double       plastic_zone  = 2.4;  ///< half side of the square in which the plastic zone is resolved
+    double       medium_depth  = 0.6;
+    double       fine_depth    = 0.2;
+    double       domain_radius = 200;
+    double       growth        = 1.4;  ///< ratio of neighbouring ring widths at resolution 20
+    double       stretch       = 1;    ///< multiplies every length (similarity checks)
+
+    /// @throws InputError naming the quantity, its value and its range.
+    void check() const;
+  };
+} // namespace dpcontact
+
+#endif

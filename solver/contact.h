@@ -1,0 +1,116 @@
+#ifndef DPCONTACT_SOLVER_CONTACT_H
+#define DPCONTACT_SOLVER_CONTACT_H
+
+#include "solver/discretization.h"
+
+#include <vector>
+
+namespace dpcontact
+{
+  /// Frictionless contact of the surface with the rigid mirror plane at its quadrature points, by a
+  /// penalty with augmentation (Simo & Laursen, Computers & Structures 42, 1992):
+  /// p = ⟨λ − ε g⟩, gap g = h(r) + w − d with the undeformed gap h of one sphere, the
+  /// inward displacement w of the surface and the plane's approach d to the sphere.
+  template <int dim>
+  class Contact
+  {
+  public:
+    /// What the contact adds to the system at one state.
+    struct Response
+    {
+      double force            = 0; ///< ∫ p dA
+      double force_stiffness  = 0; ///< ∂F/∂d at fixed displacements
+      double max_pressure     = 0;
+      double max_penetration  = 0; ///< largest −g where p > 0
+      unsigned int active     = 0; ///< quadrature points with p > 0
+    };
+
+    /// @param radius of the sphere; the undeformed gap is r²/(2 radius).
+    /// @param stiffness ε, pressure over length.
+    Contact(const Discretization<dim> &discretization, double radius, double stiffness);
+
+    /// Adds −∂(work of p)/∂u to `residual`, and where asked ε∫N⊗N to `add_stiffness(face, i, j, k)`
+    /// and ∂residual/∂d to `approach_derivative`.
+    template <class AddStiffness>
+    Response evaluate(const std::vector<double> &u,
+                      double                     approach,
+                      std::vector<double>       &residual,
+                      std::vector<double>       &approach_derivative,
+                      const AddStiffness        &add_stiffness) const;
+
+    /// λ ← ⟨λ − ε g⟩. @return the largest gap violation (penetration, or |g| where λ > 0 opened).
+    double augment(const std::vector<double> &u, double approach);
+
+    /// Switches all contact off (release) or on.
+    void set_active(bool active) { enabled = active; }
+
+    /// Pressure at every quadrature point from the axis outwards: (radius, p).
+    std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
+                                                   double                     approach) const;
+
+    /// Approach at which the plane would first touch the surface displaced by u.
+    double touching_approach(const std::vector<double> &u) const;
+
+    std::vector<double> multipliers; ///< λ at every point, kept between steps
+
+  private:
+    double inward(const typename Discretization<dim>::SurfaceFace &face,
+                  const typename Discretization<dim>::SurfacePoint &point,
+                  const std::vector<double>                       &u) const
+    {
+      double w = 0;
+      for (unsigned int i = 0; i < face.unknowns.size(); ++i)
+        w -= point.value[i] * u[face.unknowns[i]];
+      return w;
+    }
+
+    const Discretization<dim> &discretization;
+    double                     sphere_radius;
+    double                     stiffness;
+    bool                       enabled = true;
+  };
+
+  template <int dim>
+  template <class AddStiffness>
+  typename Contact<dim>::Response
+  Contact<dim>::evaluate(const std::vector<double> &u,
+                         const double               approach,
+                         std::vector<double>       &residual,
+                         std::vector<double>       &approach_derivative,
+                         const AddStiffness        &add_stiffness) const
+  {
+    Response     response;
+    unsigned int index = 0;
+    const auto  &faces = discretization.surface();
+    if (!enabled)
+      return response;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      {
+        const auto &face = faces[f];
+        for (const auto &point : face.points)
+          {
+            const double gap = point.radius * point.radius / (2 * sphere_radius) +
+                               inward(face, point, u) - approach;
+            const double p = multipliers[index++] - stiffness * gap;
+            if (p <= 0)
+              continue;
+            ++response.active;
+            response.force += p * point.weight;
+            response.max_pressure    = std::max(response.max_pressure, p);
+            response.max_penetration = std::max(response.max_penetration, -gap);
+            const double k = stiffness * point.weight;
+            response.force_stiffness += k;
+            // Moving the surface outwards by value[i] raises p by ε value[i].
+            for (unsigned int i = 0; i < face.unknowns.size(); ++i)
+              {
+                residual[face.unknowns[i]] += p * point.weight * point.value[i];
+                approach_derivative[face.unknowns[i]] += k * point.value[i];
+              }
+            add_stiffness(f, point.value, k);
+          }
+      }
+    return response;
+  }
+} // namespace dpcontact
+
+#endif

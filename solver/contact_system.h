@@ -1,0 +1,116 @@
+#ifndef DPCONTACT_SOLVER_CONTACT_SYSTEM_H
+#define DPCONTACT_SOLVER_CONTACT_SYSTEM_H
+
+#include "solver/contact.h"
+#include "solver/discretization.h"
+#include "solver/laws/drucker_prager.h"
+#include "solver/linear_solver.h"
+
+#include <vector>
+
+namespace dpcontact
+{
+  /// Equilibrium of one half-space under the mirror plane: residual, tangent, history.
+  ///
+  /// Unknowns are the free displacements u and the plane's approach d; one scalar equation closes the
+  /// system, either d = given or F(u, d) = given. The tangent is that of everything: material
+  /// (consistent), contact, far field, and the scalar equation (by block elimination).
+  template <int dim>
+  class ContactSystem
+  {
+  public:
+    /// The scalar equation that closes the system.
+    enum class Control
+    {
+      approach, ///< d = target
+      force,    ///< F(u, d) = target
+      released  ///< no contact; d plays no role
+    };
+
+    using State = laws::DruckerPrager::State;
+
+    /// What is rolled back when a step fails.
+    struct Snapshot
+    {
+      std::vector<double> u;
+      double              approach = 0;
+      std::vector<double> multipliers;
+      std::vector<State>  history;
+    };
+
+    /// Integrals over the body at the state last evaluated, of one sphere.
+    struct Integrals
+    {
+      double       plastic_volume      = 0;
+      double       dissipation         = 0; ///< ∫ σₙ₊₁:Δεᵖ dV of the step
+      double       elastic_energy      = 0;
+      double       plastic_strain_max  = 0;
+      unsigned int apex_points         = 0;
+      double       largest_yield_excess = 0; ///< max f/k over the points
+    };
+
+    ContactSystem(const Discretization<dim>  &discretization,
+                  const laws::DruckerPrager  &law,
+                  double                      radius,
+                  double                      penalty_stiffness);
+
+    void set_control(Control control, double target, double residual_scale);
+
+    // The problem as solve_newton() sees it.
+    double residual();
+    bool   correction();
+    void   move(double length);
+
+    /// Residual and, where asked, tangent at the present iterate, unscaled: for Taylor tests.
+    const std::vector<double> &residual_vector() const { return rhs; }
+    const SymmetricMatrix     &tangent() const { return matrix; }
+
+    double force() const { return contact_response.force; }
+    const typename Contact<dim>::Response &contact_state() const { return contact_response; }
+    Contact<dim>       &contact() { return contact_condition; }
+    const Contact<dim> &contact() const { return contact_condition; }
+
+    std::vector<double> u;
+    double              approach = 0;
+
+    Snapshot snapshot() const { return {u, approach, contact_condition.multipliers, history}; }
+    void     restore(const Snapshot &saved);
+
+    /// Makes the trial history the history. @return the step's integrals.
+    Integrals commit();
+
+    const std::vector<State> &point_history() const { return history; }
+    /// Stresses at all quadrature points (cell by cell) at the state last evaluated.
+    const std::vector<laws::StressTensor> &stresses() const { return stress; }
+    const Discretization<dim>             &discretization() const { return space; }
+    const laws::DruckerPrager             &material() const { return law; }
+
+  private:
+    void build_pattern();
+
+    const Discretization<dim> &space;
+    laws::DruckerPrager        law;
+    Contact<dim>               contact_condition;
+    typename Contact<dim>::Response contact_response;
+
+    Control control        = Control::approach;
+    double  target         = 0;
+    double  residual_scale = 1;
+
+    SymmetricMatrix                 matrix;
+    std::vector<std::vector<int>>   cell_positions;    ///< upper triangle of each cell's block
+    std::vector<std::vector<int>>   surface_positions; ///< likewise of each surface face
+    int                             far_position = 0;
+    std::unique_ptr<CholeskySolver> solver;
+
+    std::vector<double> rhs, approach_derivative;
+    std::vector<double> step, step_per_approach;
+    double              approach_step = 0;
+
+    std::vector<State>                        history, trial;
+    std::vector<laws::DruckerPrager::Branch>  branch;
+    std::vector<laws::StressTensor>           stress;
+  };
+} // namespace dpcontact
+
+#endif

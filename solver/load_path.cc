@@ -1,0 +1,210 @@
+#include "solver/load_path.h"
+
+#include "meshing/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dpcontact
+{
+  double contact_radius(const std::vector<std::pair<double, double>> &profile)
+  {
+    double last = 0;
+    for (const auto &[r, p] : profile)
+      if (p > 0)
+        last = std::max(last, r);
+    if (last == 0)
+      return 0;
+    // Least squares of p² against r².
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto &[r, p] : profile)
+      if (p > 0 && r > 0.75 * last && r < 0.95 * last)
+        {
+          const double rr = r * r, pp = p * p;
+          n += 1, x += rr, y += pp, xx += rr * rr, xy += rr * pp;
+        }
+    const double slope = (n * xy - x * y) / (n * xx - x * x);
+    if (n < 3 || !(slope < 0))
+      return last;
+    return std::sqrt((x - y / slope) / n);
+  }
+
+  template <int dim>
+  LoadPath<dim>::LoadPath(ContactSystem<dim> &system_,
+                          const Options      &options_,
+                          const StepObserver &observer_)
+    : system(system_)
+    , options(options_)
+    , observer(observer_)
+  {}
+
+  template <int dim>
+  bool LoadPath<dim>::try_step(const Control control, const double target)
+  {
+    const double scale =
+      control == Control::force ? std::max(target, 1e-3 * peak_force) : 1e-3 * peak_force;
+    system.set_control(control, target, scale);
+    for (unsigned int k = 0; k <= options.max_augmentations; ++k)
+      {
+        report = solve_newton(system, options.newton);
+        count.newton_iterations += static_cast<unsigned int>(report.iterations);
+        iterations_of_point += report.iterations;
+        if (!report.converged)
+          return false;
+        if (!options.augment || control == Control::released ||
+            system.contact_state().max_penetration <=
+              options.penetration_tolerance * std::abs(system.approach))
+          return true;
+        system.contact().augment(system.u, system.approach);
+        ++count.augmentations;
+      }
+    report.converged = false;
+    report.reason    = "the augmentation of the contact did not converge";
+    return false;
+  }
+
+  template <int dim>
+  void LoadPath<dim>::advance(const char                          *stage,
+                              const std::function<double(double)> &force_of,
+                              const double                         from,
+                              const double                         to)
+  {
+    double       level = from, step = to - from;
+    unsigned int halvings = 0;
+    while (level != to)
+      {
+        if (std::abs(step) > std::abs(to - level) * (1 - 1e-9))
+          step = to - level;
+        const double next   = std::abs(to - level - step) < 1e-12 ? to : level + step;
+        const double target = force_of(next);
+        const auto   saved  = system.snapshot();
+
+        // Predictor: the secant in the force's own parameter, where there is one.
+        const double now = system.force();
+        if (has_previous && target > 0)
+          {
+            const double previous = last_force;
+            const double ratio    = std::clamp((std::pow(target, 2. / 3) - std::pow(now, 2. / 3)) /
+                                              (std::pow(now, 2. / 3) - std::pow(previous, 2. / 3)),
+                                            0.,
+                                            4.);
+            if (previous > 0)
+              {
+                for (std::size_t i = 0; i < system.u.size(); ++i)
+                  system.u[i] += ratio * (system.u[i] - previous_u[i]);
+                system.approach += ratio * (system.approach - previous_approach);
+              }
+          }
+
+        if (try_step(target > 0 ? Control::force : Control::released, target))
+          {
+            if (options.augment && target > 0)
+              system.contact().augment(system.u, system.approach);
+            previous_u        = saved.u;
+            previous_approach = saved.approach;
+            last_force        = now;
+            has_previous      = true;
+            const auto integrals = system.commit();
+            dissipated += 2 * integrals.dissipation;
+            count.apex_points += integrals.apex_points;
+            last_integrals = integrals;
+            ++count.steps;
+            level = next;
+            if (halvings > 0 && report.iterations <= 6)
+              {
+                --halvings;
+                step *= 2;
+              }
+          }
+        else
+          {
+            system.restore(saved);
+            system.residual();
+            ++count.cut_backs;
+            if (++halvings > options.max_cut_backs)
+              {
+                std::ostringstream message;
+                message << stage << " stopped at force " << now / peak_force
+                        << " of the peak: " << report.reason << ", also with the step cut "
+                        << options.max_cut_backs << " times; residuals";
+                for (const double r : report.residuals)
+                  message << ' ' << r;
+                throw SolverError(message.str());
+              }
+            step /= 2;
+          }
+      }
+    (void)stage;
+  }
+
+  template <int dim>
+  CurvePoint LoadPath<dim>::record()
+  {
+    const auto profile = system.contact().profile(system.u, system.approach);
+    CurvePoint point;
+    point.approach       = 2 * system.approach;
+    point.force          = system.force();
+    point.contact_radius = contact_radius(profile);
+    point.pressure_max   = 0;
+    for (const auto &[r, p] : profile)
+      point.pressure_max = std::max(point.pressure_max, p);
+    point.plastic_volume     = last_integrals.plastic_volume;
+    point.plastic_strain_max = last_integrals.plastic_strain_max;
+    point.dissipated_energy  = dissipated;
+    point.newton_iterations  = iterations_of_point;
+    iterations_of_point      = 0;
+    return point;
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::load(const double peak, const double peak_approach_guess)
+  {
+    peak_force = peak;
+    system.contact().set_active(true);
+    CurvePoint origin;
+    origin.approach = origin.force = origin.contact_radius = origin.pressure_max = 0;
+    origin.plastic_volume = origin.dissipated_energy = origin.plastic_strain_max = 0;
+    std::vector<CurvePoint> points{origin};
+
+    const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };
+    const double n      = options.loading_steps;
+    system.approach     = peak_approach_guess / (n * n);
+    for (unsigned int i = 0; i < options.loading_steps; ++i)
+      {
+        advance("loading", force_of, i / n, (i + 1) / n);
+        points.push_back(record());
+        if (observer)
+          observer("loading", (i + 1) / n, points.back().newton_iterations);
+      }
+    return points;
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::unload()
+  {
+    std::vector<CurvePoint> points{record()};
+    has_previous        = false; // the tangent at the peak is another one now
+    const double peak   = system.force();
+    const auto force_of = [peak](const double t) { return peak * std::pow(t, 1.5); };
+    const double n      = options.unloading_steps;
+    for (unsigned int i = 0; i < options.unloading_steps; ++i)
+      {
+        advance("unloading", force_of, 1 - i / n, i + 1 == options.unloading_steps ? 0. : 1 - (i + 1) / n);
+        if (i + 1 < options.unloading_steps)
+          points.push_back(record());
+        if (observer)
+          observer("unloading", (i + 1) / n, points.back().newton_iterations);
+      }
+    CurvePoint released     = record();
+    released.approach       = 2 * system.contact().touching_approach(system.u);
+    released.force          = 0;
+    released.contact_radius = 0;
+    released.pressure_max   = 0;
+    points.push_back(released);
+    return points;
+  }
+
+  template class LoadPath<2>;
+  template class LoadPath<3>;
+} // namespace dpcontact

@@ -1,0 +1,83 @@
+#ifndef DPCONTACT_SOLVER_LOAD_PATH_H
+#define DPCONTACT_SOLVER_LOAD_PATH_H
+
+#include "solver/contact_system.h"
+#include "solver/curve.h"
+#include "solver/newton.h"
+#include "solver/solve.h"
+
+#include <functional>
+
+namespace dpcontact
+{
+  /// Drives a ContactSystem up to a peak force and back to separation.
+  ///
+  /// Levels of the force are nominal: τ = (F/F_max)^(1/3), the growth of an elastic contact radius, in
+  /// equal steps going up; t = (F/F_max)^(2/3), the elastic approach, going down. A step
+  /// that Newton cannot make is rolled back and halved, and doubled again after easy ones, never
+  /// beyond the nominal step: its size is what the accuracy of the load step is tied to.
+  /// Numbers are in the system's own units.
+  template <int dim>
+  class LoadPath
+  {
+  public:
+    struct Options
+    {
+      unsigned int  loading_steps          = 20;
+      unsigned int  unloading_steps        = 8;
+      bool          augment                = true;
+      double        penetration_tolerance  = 1e-7; ///< largest gap violation over the approach
+      unsigned int  max_augmentations      = 20;
+      unsigned int  max_cut_backs          = 10;   ///< halvings of one nominal step
+      NewtonOptions newton;
+    };
+
+    struct Counters
+    {
+      unsigned int steps = 0, newton_iterations = 0, cut_backs = 0, augmentations = 0, apex_points = 0;
+    };
+
+    LoadPath(ContactSystem<dim> &system, const Options &options, const StepObserver &observer);
+
+    /// From (0, 0) to force `peak`. The first point is the origin.
+    /// @param peak_approach_guess guess of the plane's approach at the peak.
+    /// @throws SolverError with the reason where the path ends early.
+    std::vector<CurvePoint> load(double peak, double peak_approach_guess);
+
+    /// From the present state to separation; the first point is the present one, the last is free
+    /// of contact, its approach that at which the plane would touch the deformed surface.
+    std::vector<CurvePoint> unload();
+
+    const Counters &counters() const { return count; }
+    /// Newton's residuals in the last step, for convergence tests.
+    const NewtonReport &last_newton() const { return report; }
+
+  private:
+    using Control = typename ContactSystem<dim>::Control;
+
+    bool       try_step(Control control, double target);
+    void       advance(const char *stage, const std::function<double(double)> &force_of, double from, double to);
+    CurvePoint record();
+
+    ContactSystem<dim> &system;
+    Options             options;
+    StepObserver        observer;
+    Counters            count;
+    NewtonReport        report;
+    double              peak_force     = 0;
+    double              dissipated     = 0;
+    int                 iterations_of_point = 0;
+    double              last_force = 0; ///< force of the converged state before the present one
+    typename ContactSystem<dim>::Integrals last_integrals;
+    std::vector<double> previous_u; ///< the converged state before the present one
+    double              previous_approach = 0;
+    bool                has_previous      = false;
+  };
+
+  /// Contact radius at which the pressure, extrapolated from inside, vanishes: p² is taken linear in r²
+  /// (as in Hertz) over the outer fifth of the contact, the partly covered last element left out.
+  /// @param profile (radius, pressure) from the axis outwards.
+  double contact_radius(const std::vector<std::pair<double, double>> &profile);
+} // namespace dpcontact
+
+#endif
