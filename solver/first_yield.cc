@@ -3,7 +3,6 @@
 #include "solver/laws/drucker_prager.h"
 
 #include <boost/math/tools/minima.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -11,9 +10,9 @@ namespace dpcontact
 {
   namespace
   {
-    // With t = u atan(1/u): fall = 1 − t and excess = 1/(1+u²) − 3(1 − t), which is O(1/u⁴). At depth
-    // both come from their series in x = 1/u², as the differences would lose all digits
-    // (x = 0.09, 16 terms: 1e-17).
+    // With t = u atan(1/u): fall = 1 − t and excess = 1/(1+u²) − 3(1 − t), which is O(1/u⁴). At
+    // depth both come from their series in x = 1/u², as the differences would lose all digits (x =
+    // 0.09, 16 terms: 1e-17).
     struct DepthFunctions
     {
       double fall;
@@ -65,8 +64,6 @@ namespace dpcontact
       return {std::exp(result.first), -result.second};
     }
   } // namespace
-
-
 
   FirstYield first_yield(const Material &material, const double radius)
   {

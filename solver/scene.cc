@@ -9,10 +9,8 @@ namespace dpcontact
 {
   namespace
   {
-    [[noreturn]] void refuse(const char *quantity,
-                             const double value,
-                             const char  *unit,
-                             const char  *range)
+    [[noreturn]] void
+    refuse(const char *quantity, const double value, const char *unit, const char *range)
     {
       std::ostringstream message;
       message.precision(12);
@@ -28,8 +26,6 @@ namespace dpcontact
     }
   } // namespace
 
-
-
   void Material::check() const
   {
     require_positive("Young's modulus E", youngs_modulus, " Pa");
@@ -42,8 +38,6 @@ namespace dpcontact
              "at least 0 and less than 90 degrees");
     require_positive("uniaxial compressive strength sigma_c", compressive_strength, " Pa");
   }
-
-
 
   void Scene::check() const
   {

@@ -44,8 +44,6 @@ namespace dpcontact::laws
     }
   } // namespace
 
-
-
   double DruckerPrager::yield_function(const StressTensor &stress,
                                        const double        hardening_variable) const
   {
@@ -53,8 +51,6 @@ namespace dpcontact::laws
     return std::sqrt((s * s) / 2) + alpha * dealii::trace(stress) -
            (strength + xi * hardening * hardening_variable);
   }
-
-
 
   DruckerPrager::Response DruckerPrager::evaluate(const State        &old_state,
                                                   const StressTensor &strain) const
@@ -89,8 +85,9 @@ namespace dpcontact::laws
         return response;
       }
 
-    // The regular return would turn the deviator round where G Δγ > √J₂, that is (without a division
-    // that fails as α → 0) where √J₂ (Kη² + ξ²H) < G (ηp − k). Never with α = 0, as then k > 0.
+    // The regular return would turn the deviator round where G Δγ > √J₂, that is (without a
+    // division that fails as α → 0) where √J₂ (Kη² + ξ²H) < G (ηp − k). Never with α = 0, as then k
+    // > 0.
     const double cone = K * eta * eta + xi * xi * hardening;
     if (root_J2 * cone < G * (eta * p - k))
       {
@@ -137,20 +134,16 @@ namespace dpcontact::laws
     return response;
   }
 
-
-
   double drucker_prager_alpha(const double friction_angle)
   {
     const double sine = std::sin(friction_angle);
     return 2 * sine / (std::sqrt(3.) * (3 - sine));
   }
 
-
-
   double drucker_prager_strength(const double friction_angle, const double compressive_strength)
   {
-    // 1 − √3 α = 3 (1 − sinφ)/(3 − sinφ), with 1 − sinφ = 2 sin²(45° − φ/2) so that no digit is lost
-    // towards φ = 90°.
+    // 1 − √3 α = 3 (1 − sinφ)/(3 − sinφ), with 1 − sinφ = 2 sin²(45° − φ/2) so that no digit is
+    // lost towards φ = 90°.
     const double half_angle_sine = std::sin((M_PI / 2 - friction_angle) / 2);
     return compressive_strength * std::sqrt(3.) * 2 * half_angle_sine * half_angle_sine /
            (3 - std::sin(friction_angle));
