@@ -1,0 +1,22 @@
+#ifndef DPCONTACT_DATABASE_EXPORTS_H
+#define DPCONTACT_DATABASE_EXPORTS_H
+
+#include "database/store.h"
+
+#include <filesystem>
+#include <iosfwd>
+
+namespace dpcontact
+{
+  /// The table as CSV: lines that begin with `#` (title, schema version, provenance, and name, unit
+  /// and description of every column), the header, one line a row. Numbers have the fewest digits
+  /// that give the same double back; NaN and infinities are `nan`, `inf`, `-inf`; text with commas,
+  /// quotes or line ends is quoted as in RFC 4180. Units are in the names of the columns.
+  void write_csv(std::ostream &out, const Database &database);
+
+  /// The same into a file, through a temporary one that is synced and renamed.
+  /// @throws FileError where it cannot be written; an earlier file then stays as it was.
+  void write_csv(const std::filesystem::path &file, const Database &database);
+} // namespace dpcontact
+
+#endif

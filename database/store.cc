@@ -1,0 +1,211 @@
+#include "database/store.h"
+
+#include "database/digest.h"
+#include "database/files.h"
+#include "database/hdf5_handles.h"
+#include "database/row_json.h"
+#include "database/schema.h"
+#include "meshing/errors.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace dpcontact
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const char *const title = "dpcontact: coefficients of elastic-plastic contact";
+
+    /// T of a pointer to member T C::*.
+    template <typename T, typename C>
+    T value_type_of(T C::*);
+
+    template <typename Points, typename Column, typename Member>
+    void
+    write_column(const hid_t group, const Column &column, const Member member, const Points &points)
+    {
+      using T = decltype(value_type_of(member));
+      std::vector<T> values;
+      for (const auto &point : points)
+        if constexpr (std::is_same_v<T, std::string>)
+          values.push_back(clean_text(point.*member));
+        else
+          values.push_back(point.*member);
+      const auto dataset = hdf5::write_dataset(group, column.name, values);
+      hdf5::write_attribute(dataset, "units", std::string(column.unit));
+      hdf5::write_attribute(dataset, "description", std::string(column.description));
+    }
+
+    template <typename Points, typename Member>
+    void read_column(const hid_t        group,
+                     const std::string &name,
+                     const Member       member,
+                     const bool         first,
+                     Points            &points)
+    {
+      using T           = decltype(value_type_of(member));
+      const auto values = hdf5::read_dataset<T>(group, name);
+      if (first)
+        points.resize(values.size());
+      if (values.size() != points.size())
+        throw hdf5::Failure("the dataset " + name + " has another length than its neighbours");
+      for (std::size_t i = 0; i < values.size(); ++i)
+        points[i].*member = values[i];
+    }
+
+    void
+    write_branch(const hid_t parent, const std::string &name, const std::vector<CurvePoint> &points)
+    {
+      const auto group = hdf5::create_group(parent, name);
+      for (const auto &column : schema::curve_columns())
+        std::visit([&](const auto member) { write_column(group, column, member, points); },
+                   column.member);
+    }
+
+    std::vector<CurvePoint> read_branch(const hid_t parent, const std::string &name)
+    {
+      const auto              group = hdf5::open_group(parent, name);
+      std::vector<CurvePoint> points;
+      bool                    first = true;
+      for (const auto &column : schema::curve_columns())
+        {
+          std::visit(
+            [&](const auto member) { read_column(group, column.name, member, first, points); },
+            column.member);
+          first = false;
+        }
+      return points;
+    }
+
+    void write_content(const std::string &path, const Database &database)
+    {
+      auto file = hdf5::create_file(path);
+      {
+        hdf5::write_attribute(file, "title", std::string(title));
+        hdf5::write_attribute(file, "schema_version", schema::version);
+
+        const auto provenance = hdf5::create_group(file, "provenance");
+        for (const auto &[name, text] : database.provenance)
+          hdf5::write_attribute(provenance, name, clean_text(text));
+
+        const auto rows = hdf5::create_group(file, "rows");
+        for (const auto &column : schema::columns())
+          std::visit(
+            [&](const auto member) { write_column(rows, column, member, database.records); },
+            column.member);
+
+        const auto curves = hdf5::create_group(file, "curves");
+        for (std::size_t i = 0; i < database.records.size(); ++i)
+          {
+            const Record &record = database.records[i];
+            const auto    group  = hdf5::create_group(curves, std::to_string(i));
+            write_branch(group, "loading", record.curve.loading);
+            write_branch(group, "unloading", record.curve.unloading);
+            const auto profile = hdf5::create_group(group, "profile");
+            for (const auto &column : schema::profile_columns())
+              write_column(profile, column, column.member, record.peak_profile);
+          }
+      }
+      file.close_now("finish the file");
+    }
+
+    Database read_content(const fs::path &path)
+    {
+      const auto file    = hdf5::open_file(path.string());
+      const int  version = hdf5::read_integer_attribute(file, "schema_version");
+      if (version != schema::version)
+        throw SettingsMismatch(path.string() + " has schema version " + std::to_string(version) +
+                               ", this program reads version " + std::to_string(schema::version));
+      Database   database;
+      const auto provenance = hdf5::open_group(file, "provenance");
+      for (const auto &name : hdf5::attribute_names(provenance))
+        database.provenance[name] = hdf5::read_text_attribute(provenance, name);
+
+      const auto rows  = hdf5::open_group(file, "rows");
+      bool       first = true;
+      for (const auto &column : schema::columns())
+        {
+          std::visit(
+            [&](const auto member) {
+              read_column(rows, column.name, member, first, database.records);
+            },
+            column.member);
+          first = false;
+        }
+
+      const auto curves = hdf5::open_group(file, "curves");
+      for (std::size_t i = 0; i < database.records.size(); ++i)
+        {
+          Record    &record      = database.records[i];
+          const auto group       = hdf5::open_group(curves, std::to_string(i));
+          record.curve.loading   = read_branch(group, "loading");
+          record.curve.unloading = read_branch(group, "unloading");
+          const auto profile     = hdf5::open_group(group, "profile");
+          first                  = true;
+          for (const auto &column : schema::profile_columns())
+            {
+              read_column(profile, column.name, column.member, first, record.peak_profile);
+              first = false;
+            }
+        }
+      return database;
+    }
+
+    /// @throws CorruptData unless the digest beside the file is the file's.
+    void check_digest(const fs::path &file)
+    {
+      const std::string remedy = "; restore both files, or assemble them again from the rows";
+      const std::string actual = sha256_of_file(file);
+      const fs::path    digest = digest_path_of(file);
+      if (!fs::exists(digest))
+        throw CorruptData("the digest " + digest.string() +
+                          " is missing, so the database cannot be trusted" + remedy);
+      const std::string stored = read_file(digest).substr(0, 65);
+      if (stored.size() != 65 || stored.back() != ' ' ||
+          stored.find_first_not_of("0123456789abcdef") != 64)
+        throw CorruptData("the digest " + digest.string() + " is damaged" + remedy);
+      if (stored.compare(0, 64, actual) != 0)
+        throw CorruptData(file.string() + " is truncated or altered: its SHA-256 is " + actual +
+                          ", its digest file says " + stored.substr(0, 64) + remedy);
+    }
+  } // namespace
+
+  fs::path digest_path_of(const fs::path &file) { return file.string() + ".sha256"; }
+
+  void write_store(const fs::path &file, const Database &database)
+  {
+    TemporaryFile content(file);
+    TemporaryFile digest(digest_path_of(file));
+    content.write(""); // the system's own reason where the place cannot be written
+    try
+      {
+        const hdf5::Silence silence;
+        write_content(content.path().string(), database);
+      }
+    catch (const hdf5::Failure &failure)
+      {
+        throw FileError("cannot write " + file.string() + ": " + failure.what());
+      }
+    content.sync();
+    digest.write(sha256_of_file(content.path()) + "  " + file.filename().string() + "\n");
+    digest.sync();
+    content.publish();
+    digest.publish();
+  }
+
+  Database read_store(const fs::path &file)
+  {
+    check_digest(file);
+    try
+      {
+        const hdf5::Silence silence;
+        return read_content(file);
+      }
+    catch (const hdf5::Failure &failure)
+      {
+        throw CorruptData(file.string() + " is not a database of this program: " + failure.what());
+      }
+  }
+} // namespace dpcontact
