@@ -1,0 +1,56 @@
+#ifndef DPCONTACT_FITTING_POWER_LAW_H
+#define DPCONTACT_FITTING_POWER_LAW_H
+
+#include "fitting/fit_report.h"
+#include "fitting/least_squares.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace dpcontact
+{
+  /// y = c (x − x₀)^p above x₀, 0 below it (the bodies are apart).
+  struct PowerLaw
+  {
+    double coefficient = std::numeric_limits<double>::quiet_NaN(); ///< c
+    double exponent    = std::numeric_limits<double>::quiet_NaN(); ///< p
+    double origin      = 0;                                        ///< x₀
+
+    double operator()(double x) const;
+  };
+
+  /// A fitted power law. The standard errors describe how the form misfits the points, which are
+  /// samples of one smooth curve: they are not the uncertainty of the data.
+  struct PowerLawFit
+  {
+    PowerLaw law;
+    PowerLaw standard_error; ///< of each coefficient; 0 for an origin that was not fitted
+    /// Order: coefficient, exponent, origin (zeros where the origin was not fitted).
+    std::array<std::array<double, 3>, 3> covariance{};
+    FitReport                            report;
+  };
+
+  enum class Origin
+  {
+    fixed, ///< x₀ as given
+    free   ///< x₀ is a third parameter; the given one is where the search starts
+  };
+
+  /// Unweighted Levenberg–Marquardt of y = c (x − x₀)^p. Works on x and y scaled by their largest
+  /// values, and scales coefficients and covariance back: the units of x and y do not matter.
+  /// @throws InputError unless x increases strictly from above x₀, y is finite with a positive
+  /// maximum, and there are more points than parameters.
+  PowerLawFit fit_power_law(const std::vector<double> &x,
+                            const std::vector<double> &y,
+                            double                     origin  = 0,
+                            Origin                     policy  = Origin::fixed,
+                            const LeastSquaresOptions &options = {});
+
+  /// Largest |first − second| over 0 ≤ x ≤ x_max, divided by `scale` (the peak force in the laws'
+  /// unit). Closed form where both laws share their origin, otherwise from 4096 samples refined
+  /// round the largest.
+  double law_difference(const PowerLaw &first, const PowerLaw &second, double x_max, double scale);
+} // namespace dpcontact
+
+#endif
