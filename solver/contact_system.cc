@@ -199,6 +199,17 @@ namespace dpcontact
   }
 
   template <int dim>
+  double ContactSystem<dim>::slope() const
+  {
+    double product = control == Control::force ?
+                       approach_step * (contact_response.force - target) :
+                       0.;
+    for (std::size_t i = 0; i < step.size(); ++i)
+      product += step[i] * rhs[i];
+    return product;
+  }
+
+  template <int dim>
   void ContactSystem<dim>::move(const double length)
   {
     for (std::size_t i = 0; i < u.size(); ++i)

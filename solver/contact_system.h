@@ -59,6 +59,7 @@ namespace dpcontact
     // The problem as solve_newton() sees it.
     double residual();
     bool   correction();
+    double slope() const;
     void   move(double length);
 
     /// Residual and, where asked, tangent at the present iterate, unscaled: for Taylor tests.

@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_SOLVER_NEWTON_H
 #define DPCONTACT_SOLVER_NEWTON_H
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@ namespace dpcontact
   {
     double       tolerance      = 1e-10; ///< on the problem's dimensionless residual norm
     unsigned int max_iterations = 25;
-    unsigned int max_halvings   = 6;     ///< of one correction
-    double       divergence     = 1e8;   ///< residual norm at which the iteration is given up
+    unsigned int max_line_search = 8;    ///< evaluations along one correction
+    double       overshoot       = 0.5;  ///< share of the starting slope that may be left
   };
 
   struct NewtonReport
@@ -23,14 +24,17 @@ namespace dpcontact
     std::string         reason;         ///< why it stopped, where it did not converge
   };
 
-  /// Newton's method with backtracking on the residual norm; it knows no physics.
+  /// Newton's method with a line search; it knows no physics.
   ///
   /// `Problem` has
   ///   double residual();        evaluates at the current iterate, returns a dimensionless norm;
   ///   bool   correction();      solves for the step with the tangent there; false: no solution;
+  ///   double slope();           step · residual at the current iterate, negative before moving;
   ///   void   move(double t);    iterate += t · step.
-  /// A full step is kept unless the norm grows beyond the largest of the last three: contact and
-  /// plastic onset make single iterations go up on the way to quadratic convergence.
+  /// Where the residual is the gradient of a convex potential (associated plasticity and
+  /// frictionless contact are), the slope grows along the step and its zero is the potential's minimum:
+  /// a full step is kept unless it overshoots that by more than `overshoot`; then the zero is
+  /// bracketed (Matthies & Strang, Int. J. Numer. Methods Eng. 14, 1979).
   template <class Problem>
   NewtonReport solve_newton(Problem &problem, const NewtonOptions &options)
   {
@@ -39,9 +43,9 @@ namespace dpcontact
     report.residuals.push_back(norm);
     while (!(norm <= options.tolerance))
       {
-        if (!std::isfinite(norm) || norm > options.divergence)
+        if (!std::isfinite(norm))
           {
-            report.reason = "the residual diverged";
+            report.reason = "the residual is not finite";
             return report;
           }
         if (report.iterations == static_cast<int>(options.max_iterations))
@@ -56,22 +60,31 @@ namespace dpcontact
             report.reason = "the tangent is not positive definite";
             return report;
           }
-        double reference = norm;
-        for (std::size_t back = 1; back < 3 && back < report.residuals.size(); ++back)
-          reference = std::max(reference, report.residuals[report.residuals.size() - 1 - back]);
 
-        double length = 1;
-        problem.move(length);
-        double       best = problem.residual();
-        unsigned int halvings = 0;
-        while (!(best < 2 * reference) && halvings < options.max_halvings)
+        const double start = problem.slope();
+        double       low = 0, low_slope = start, high = 1;
+        problem.move(1);
+        norm = problem.residual();
+        double high_slope = problem.slope();
+        double position   = 1;
+        for (unsigned int k = 0; k < options.max_line_search; ++k)
           {
-            problem.move(-length / 2);
-            length /= 2;
-            ++halvings;
-            best = problem.residual();
+            const double present = problem.slope();
+            if (present <= options.overshoot * std::abs(start) &&
+                (k == 0 || present >= -options.overshoot * std::abs(start)))
+              break;
+            if (present > 0)
+              high = position, high_slope = present;
+            else
+              low = position, low_slope = present;
+            // Regula falsi, kept off the ends of the bracket.
+            const double zero  = low + (high - low) * low_slope / (low_slope - high_slope);
+            const double inner = 0.1 * (high - low);
+            const double next  = std::min(std::max(zero, low + inner), high - inner);
+            problem.move(next - position);
+            position = next;
+            norm     = problem.residual();
           }
-        norm = best;
         report.residuals.push_back(norm);
       }
     report.converged = true;
