@@ -1,0 +1,25 @@
+#ifndef DPCONTACT_RUNS_COMMANDS_COMMANDS_H
+#define DPCONTACT_RUNS_COMMANDS_COMMANDS_H
+
+#include "meshing/errors.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <functional>
+
+namespace dpcontact::commands
+{
+  /// What the chosen subcommand does once the whole command line has been understood.
+  using Action = std::function<ExitCode()>;
+
+  /// Each adds one subcommand that sets `action` when it is chosen.
+  void add_yield(CLI::App &program, Action &action);
+  void add_solve(CLI::App &program, Action &action);
+  void add_sweep(CLI::App &program, Action &action);
+  void add_fit(CLI::App &program, Action &action);
+  void add_export(CLI::App &program, Action &action);
+} // namespace dpcontact::commands
+
+#endif

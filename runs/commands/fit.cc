@@ -1,0 +1,132 @@
+#include "database/row_store.h"
+#include "database/store.h"
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/documents.h"
+#include "runs/row.h"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      std::string database;
+      bool        write = false;
+      bool        json  = false;
+    };
+
+    /// Relative changes of a, b, m, n.
+    using Changes = std::array<double, 4>;
+
+    constexpr std::array<double Record::*, 4> coefficients{&Record::a,
+                                                           &Record::b,
+                                                           &Record::m,
+                                                           &Record::n};
+
+    Json json_of(const Changes &changes)
+    {
+      return {{"a", changes[0]}, {"b", changes[1]}, {"m", changes[2]}, {"n", changes[3]}};
+    }
+
+    Changes changes_between(const Record &stored, const Record &refitted)
+    {
+      Changes changes{};
+      for (std::size_t i = 0; i < coefficients.size(); ++i)
+        {
+          const double before = stored.*coefficients[i], after = refitted.*coefficients[i];
+          changes[i] = std::isnan(before) ? std::numeric_limits<double>::infinity()
+                                          : std::abs(after - before) / std::abs(before);
+        }
+      return changes;
+    }
+
+    /// Rows first: a database that was not written any more is assembled from them by a sweep.
+    void write_back(const std::filesystem::path &file, const Database &database)
+    {
+      if (const auto settings = RowStore::stored_settings(file))
+        {
+          const RowStore       rows(file, nlohmann::json::parse(*settings));
+          const RowStore::Lock lock = rows.lock();
+          for (const Record &row : database.records)
+            rows.write(row);
+        }
+      write_store(file, database);
+    }
+
+    ExitCode run(const Options &options)
+    {
+      Database database = read_store(options.database);
+      Changes  largest{};
+      Json     rows       = Json::array();
+      bool     all_fitted = true;
+      for (Record &row : database.records)
+        {
+          const Case             input = case_of(row);
+          std::optional<Changes> changes;
+          if (!row.curve.loading.empty())
+            {
+              const Record stored = row;
+              fit_row(row);
+              changes = changes_between(stored, row);
+              for (std::size_t i = 0; i < largest.size(); ++i)
+                largest[i] = std::max(largest[i], (*changes)[i]);
+            }
+          all_fitted = all_fitted && row.status == "converged";
+          if (options.json)
+            rows.push_back({{"material", material_json(input)},
+                            {"scene", scene_json(input)},
+                            {"fit", fit_json(row)},
+                            {"published_convention", published_json(row)},
+                            {"residual_approach", row.approach_residual_m},
+                            {"change", changes ? json_of(*changes) : Json()},
+                            {"status", row.status},
+                            {"reason", row.reason}});
+          else
+            {
+              std::cout << label(input) << ": ";
+              for (std::size_t i = 0; changes && i < coefficients.size(); ++i)
+                std::cout << "abmn"[i] << " = "
+                          << format_quantity(row.*coefficients[i], Dimension::number) << ", ";
+              std::cout << row.status << (row.reason.empty() ? "" : ": ") << row.reason << '\n';
+            }
+        }
+      if (options.write)
+        write_back(options.database, database);
+
+      if (options.json)
+        print_document({{"database", options.database},
+                        {"rows", rows},
+                        {"largest_change", json_of(largest)},
+                        {"written", options.write}});
+      else
+        {
+          std::cout << "largest relative change:";
+          for (std::size_t i = 0; i < largest.size(); ++i)
+            std::cout << ' ' << "abmn"[i] << ' ' << format_quantity(largest[i], Dimension::number);
+          std::cout << (options.write ? "; written to " : "; not written (--write does) to ")
+                    << options.database << '\n';
+        }
+      return all_fitted ? ExitCode::success : ExitCode::incomplete;
+    }
+  } // namespace
+
+  void add_fit(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command =
+      program.add_subcommand("fit", "Fits the curves of a database again and compares");
+    command->add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
+    command->add_flag(
+      "--write", options->write, "store the new coefficients in the database and in its rows");
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

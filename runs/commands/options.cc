@@ -1,0 +1,48 @@
+#include "runs/commands/options.h"
+
+#include "runs/parameter_file.h"
+
+namespace dpcontact::commands
+{
+  void add_settings(CLI::App                   &command,
+                    const std::vector<Setting> &settings,
+                    SettingTexts               &texts,
+                    const std::string          &group)
+  {
+    for (const Setting &setting : settings)
+      command
+        .add_option_function<std::string>(
+          "--" + setting.name,
+          [&texts, name = setting.name](const std::string &text) { texts[name] = text; },
+          setting.help)
+        ->type_name("")
+        ->group(group);
+  }
+
+  void add_parameter_file(CLI::App &command, std::string &file)
+  {
+    command.add_option("--parameter-file", file, "a file that says the same; options override it")
+      ->type_name("FILE.prm");
+  }
+
+  void add_json_flag(CLI::App &command, bool &json)
+  {
+    command.add_flag("--json", json, "print one JSON document in SI units on standard output");
+  }
+
+  SettingTexts merged(const std::string          &parameter_file,
+                      const std::vector<Setting> &allowed,
+                      const SettingTexts         &command_line)
+  {
+    SettingTexts texts = command_line;
+    if (!parameter_file.empty())
+      texts.merge(read_parameter_file(parameter_file, allowed)); // keeps what is there already
+    return texts;
+  }
+
+  std::vector<Setting> operator+(std::vector<Setting> left, const std::vector<Setting> &right)
+  {
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,34 @@
+#ifndef DPCONTACT_RUNS_COMMANDS_OPTIONS_H
+#define DPCONTACT_RUNS_COMMANDS_OPTIONS_H
+
+#include "runs/settings.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+#include <vector>
+
+namespace dpcontact::commands
+{
+  /// Adds --NAME for every setting; what is given is stored in `texts` and checked later.
+  void add_settings(CLI::App                   &command,
+                    const std::vector<Setting> &settings,
+                    SettingTexts               &texts,
+                    const std::string          &group);
+
+  /// Adds --parameter-file.
+  void add_parameter_file(CLI::App &command, std::string &file);
+
+  /// Adds --json.
+  void add_json_flag(CLI::App &command, bool &json);
+
+  /// The entries of a parameter file (an empty name: none), overridden by what the command line
+  /// says.
+  SettingTexts merged(const std::string          &parameter_file,
+                      const std::vector<Setting> &allowed,
+                      const SettingTexts         &command_line);
+
+  std::vector<Setting> operator+(std::vector<Setting> left, const std::vector<Setting> &right);
+} // namespace dpcontact::commands
+
+#endif

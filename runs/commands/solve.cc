@@ -1,0 +1,133 @@
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/documents.h"
+#include "runs/result_files.h"
+#include "runs/row.h"
+#include "runs/version.h"
+#include "solver/environment.h"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts texts;
+      std::string  parameter_file;
+      bool         json = false;
+    };
+
+    const Setting output{
+      "output",
+      Setting::Kind::text,
+      "directory for fields (VTU), curve and profile (CSV) and the result (JSON)"};
+
+    /// Says on a terminal how far the solver is.
+    void report_step(const char *stage, const double fraction, const int newton_iterations)
+    {
+      std::cerr << "\r\033[K" << stage << ' ' << std::lround(100 * fraction) << " %, "
+                << newton_iterations << " Newton iterations" << std::flush;
+    }
+
+    Json document_of(const Case &input, const SolverOptions &used, const Record &row)
+    {
+      return {{"material", material_json(input)},
+              {"scene", scene_json(input)},
+              {"yield", yield_json(first_yield(input.material, input.scene.radius))},
+              {"fit", fit_json(row)},
+              {"published_convention", published_json(row)},
+              {"peak",
+               {{"force", row.curve.loading.back().force},
+                {"approach", row.approach_peak_m},
+                {"contact_radius", row.contact_radius_peak_m},
+                {"pressure", row.pressure_peak_Pa},
+                {"plastic_strain", row.plastic_strain_max}}},
+              {"residual_approach", row.approach_residual_m},
+              {"plastic_volume", row.plastic_volume_m3},
+              {"dissipated_energy", row.dissipated_energy_J},
+              {"apex_points", row.apex_points},
+              {"cost", cost_json(row)},
+              {"status", row.status},
+              {"reason", row.reason},
+              {"warnings", row.warnings},
+              {"options", options_json(used)},
+              {"versions", versions()}};
+    }
+
+    void print_for_people(const Case &input, const Record &row)
+    {
+      const auto length = [](const double value) {
+        return format_quantity(value, Dimension::length);
+      };
+      std::cout << label(input) << '\n'
+                << describe(first_yield(input.material, input.scene.radius)) << '\n'
+                << describe_fit(row) << '\n'
+                << "peak      F = "
+                << format_quantity(row.curve.loading.back().force, Dimension::force)
+                << ", approach " << length(row.approach_peak_m) << ", contact radius "
+                << length(row.contact_radius_peak_m) << ", largest pressure "
+                << format_quantity(row.pressure_peak_Pa, Dimension::pressure) << '\n'
+                << "released  residual approach " << length(row.approach_residual_m)
+                << ", plastic strain up to "
+                << format_quantity(row.plastic_strain_max, Dimension::number) << '\n'
+                << "cost      " << row.dofs << " degrees of freedom, " << row.steps << " steps, "
+                << row.newton_iterations << " Newton iterations, "
+                << format_quantity(row.wall_seconds, Dimension::number) << " s, "
+                << row.peak_memory_bytes / 1000000 << " MB\n"
+                << "status    " << row.status << (row.reason.empty() ? "" : ": ") << row.reason
+                << '\n';
+    }
+
+    ExitCode run(const Options &options)
+    {
+      const SettingTexts  texts = merged(options.parameter_file,
+                                        scene_settings() + solver_settings() + std::vector{output},
+                                        options.texts);
+      const Case          input = read_case(texts);
+      const SolverOptions used  = read_solver_options(texts);
+
+      const auto        found     = texts.find(output.name);
+      const std::string directory = found == texts.end() ? "" : found->second;
+      if (!directory.empty())
+        make_result_directory(directory);
+
+      const bool        terminal = isatty(STDERR_FILENO) == 1;
+      const Environment environment;
+      const Record      row =
+        compute_row(input, used, directory, terminal ? StepObserver(report_step) : StepObserver());
+      if (terminal)
+        std::cerr << "\r\033[K" << std::flush;
+
+      const Json document = document_of(input, used, row);
+      if (!directory.empty())
+        write_result_files(directory, row, document);
+      if (!row.warnings.empty())
+        std::cerr << "dpcontact: warning: " << row.warnings << std::endl;
+      if (options.json)
+        print_document(document);
+      else
+        print_for_people(input, row);
+      if (row.status != "converged")
+        throw SolverError(row.reason);
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_solve(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "solve", "One loading-unloading curve by finite elements, and its fit");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    add_settings(*command, solver_settings(), options->texts, "Solver");
+    add_settings(*command, {output}, options->texts, "Options");
+    add_parameter_file(*command, options->parameter_file);
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,43 @@
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/documents.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts texts;
+      std::string  parameter_file;
+      bool         json = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
+      const FirstYield yield = first_yield(input.material, input.scene.radius);
+      if (options.json)
+        print_document({{"material", material_json(input)},
+                        {"scene", scene_json(input)},
+                        {"yield", yield_json(yield)}});
+      else
+        std::cout << label(input) << '\n' << describe(yield) << '\n';
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_yield(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command =
+      program.add_subcommand("yield", "First yield in closed form, on the axis and on the ring");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    add_parameter_file(*command, options->parameter_file);
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,157 @@
+#include "runs/documents.h"
+
+#include <iostream>
+
+namespace dpcontact
+{
+  Json material_json(const Case &input)
+  {
+    return {{"E", input.material.youngs_modulus},
+            {"nu", input.material.poisson_ratio},
+            {"phi_deg", input.friction_angle_degrees},
+            {"sigma_c", input.material.compressive_strength}};
+  }
+
+  Json scene_json(const Case &input)
+  {
+    return {{"radius", input.scene.radius}, {"force_max", input.scene.force_max}};
+  }
+
+  Json yield_json(const FirstYield &yield)
+  {
+    return {{"force", yield.force},
+            {"approach", yield.approach},
+            {"pressure", yield.pressure},
+            {"contact_radius", yield.contact_radius},
+            {"depth_over_contact_radius", yield.depth_over_contact_radius},
+            {"ring_force", yield.ring_force},
+            {"ring_pressure", yield.ring_pressure}};
+  }
+
+  Json options_json(const SolverOptions &used)
+  {
+    return {{"resolution", used.resolution},
+            {"level", used.level},
+            {"domain-radius", used.domain_radius},
+            {"mesh-stretch", used.mesh_stretch},
+            {"step-tolerance", used.step_tolerance},
+            {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
+            {"penalty-stiffness", used.penalty_stiffness},
+            {"units", used.units == Units::si ? "si" : "scaled"}};
+  }
+
+  Json fit_json(const Record &row)
+  {
+    const auto quality = [](const double r2, const double rmse) {
+      return Json{{"r2", r2}, {"rmse", rmse}};
+    };
+    return {
+      {"a", row.a},
+      {"b", row.b},
+      {"m", row.m},
+      {"n", row.n},
+      {"standard_error",
+       {{"a", row.a_standard_error},
+        {"b", row.b_standard_error},
+        {"m", row.m_standard_error},
+        {"n", row.n_standard_error}}},
+      {"covariance", {{"ab", row.ab_covariance}, {"mn", row.mn_covariance}}},
+      {"window_change",
+       {{"a", row.a_window_change},
+        {"b", row.b_window_change},
+        {"m", row.m_window_change},
+        {"n", row.n_window_change}}},
+      {"r2_loading", row.r2_loading},
+      {"r2_unloading", row.r2_unloading},
+      {"rmse_loading", row.rmse_loading},
+      {"rmse_unloading", row.rmse_unloading},
+      {"stop_loading", row.stop_loading},
+      {"stop_unloading", row.stop_unloading},
+      {"residual_approach_eq18", row.approach_residual_eq18_m},
+      {"three_parameter",
+       {{"m", row.m_three_parameter},
+        {"n", row.n_three_parameter},
+        {"residual_approach", row.approach_residual_three_parameter_m},
+        {"standard_error",
+         {{"m", row.m_three_parameter_standard_error},
+          {"n", row.n_three_parameter_standard_error},
+          {"residual_approach", row.approach_residual_three_parameter_standard_error_m}}},
+        {"r2", row.r2_three_parameter},
+        {"rmse", row.rmse_three_parameter},
+        {"stop", row.stop_three_parameter}}},
+      {"alternatives",
+       {{"loading",
+         {{"exponential", quality(row.r2_exponential_loading, row.rmse_exponential_loading)},
+          {"polynomial", quality(row.r2_polynomial_loading, row.rmse_polynomial_loading)},
+          {"parabola", quality(row.r2_parabola_loading, row.rmse_parabola_loading)}}},
+        {"unloading",
+         {{"exponential", quality(row.r2_exponential_unloading, row.rmse_exponential_unloading)},
+          {"polynomial", quality(row.r2_polynomial_unloading, row.rmse_polynomial_unloading)},
+          {"parabola", quality(row.r2_parabola_unloading, row.rmse_parabola_unloading)}}}}}};
+  }
+
+  Json published_json(const Record &row)
+  {
+    return {{"a", row.a_published},
+            {"m", row.m_published},
+            {"approach_yield", row.approach_yield_published_m}};
+  }
+
+  Json cost_json(const Record &row)
+  {
+    return {{"dofs", row.dofs},
+            {"steps", row.steps},
+            {"newton_iterations", row.newton_iterations},
+            {"cut_backs", row.cut_backs},
+            {"wall_seconds", row.wall_seconds},
+            {"peak_memory_bytes", row.peak_memory_bytes}};
+  }
+
+  std::string label(const Case &input)
+  {
+    return "E = " + format_quantity(input.material.youngs_modulus, Dimension::pressure) +
+           ", nu = " + format_quantity(input.material.poisson_ratio, Dimension::number) +
+           ", phi = " + format_quantity(input.friction_angle_degrees, Dimension::angle) +
+           ", sigma_c = " +
+           format_quantity(input.material.compressive_strength, Dimension::pressure) +
+           ", R = " + format_quantity(input.scene.radius, Dimension::length) +
+           ", F_max = " + format_quantity(input.scene.force_max, Dimension::force);
+  }
+
+  std::string describe(const FirstYield &yield)
+  {
+    return "yield     on the axis at F = " + format_quantity(yield.force, Dimension::force) +
+           ", approach " + format_quantity(yield.approach, Dimension::length) +
+           " (mutual), Hertz pressure " + format_quantity(yield.pressure, Dimension::pressure) +
+           ", contact radius " + format_quantity(yield.contact_radius, Dimension::length) +
+           ", depth " + format_quantity(yield.depth_over_contact_radius, Dimension::number) +
+           " contact radii\n          on the ring at F = " +
+           format_quantity(yield.ring_force, Dimension::force) + ", Hertz pressure " +
+           format_quantity(yield.ring_pressure, Dimension::pressure);
+  }
+
+  std::string describe_fit(const Record &row)
+  {
+    const auto with_error = [](const double value, const double standard_error) {
+      return format_quantity(value, Dimension::number) + " +- " +
+             format_quantity(standard_error, Dimension::number);
+    };
+    const auto quality = [](const double r2, const double rmse) {
+      return ", R2 = " + format_quantity(r2, Dimension::number) +
+             ", RMSE = " + format_quantity(rmse, Dimension::number) + " of the peak force";
+    };
+    return "loading   F/F_y = a (approach/approach_y)^b: a = " +
+           with_error(row.a, row.a_standard_error) +
+           ", b = " + with_error(row.b, row.b_standard_error) +
+           quality(row.r2_loading, row.rmse_loading) +
+           "\nunloading F/F_y = m ((approach - residual)/approach_y)^n: m = " +
+           with_error(row.m, row.m_standard_error) +
+           ", n = " + with_error(row.n, row.n_standard_error) +
+           quality(row.r2_unloading, row.rmse_unloading) +
+           "\n          published convention (approach_y per sphere): a = " +
+           format_quantity(row.a_published, Dimension::number) +
+           ", m = " + format_quantity(row.m_published, Dimension::number);
+  }
+
+  void print_document(const Json &document) { std::cout << document.dump(2) << '\n'; }
+} // namespace dpcontact

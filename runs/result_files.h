@@ -1,0 +1,20 @@
+#ifndef DPCONTACT_RUNS_RESULT_FILES_H
+#define DPCONTACT_RUNS_RESULT_FILES_H
+
+#include "runs/documents.h"
+
+#include <filesystem>
+
+namespace dpcontact
+{
+  /// Makes the directory, with its parents, unless it is there. @throws FileError.
+  void make_result_directory(const std::filesystem::path &directory);
+
+  /// Writes result.json, curve.csv (both branches) and profile.csv (contact pressure at the peak).
+  /// Names and units in the headers are those of the database. @throws FileError.
+  void write_result_files(const std::filesystem::path &directory,
+                          const Record                &row,
+                          const Json                  &document);
+} // namespace dpcontact
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef DPCONTACT_RUNS_ROW_H
+#define DPCONTACT_RUNS_ROW_H
+
+#include "database/record.h"
+#include "fitting/curve_fit.h"
+#include "runs/settings.h"
+
+#include <string>
+
+namespace dpcontact
+{
+  RowInputs row_inputs(const Case &input);
+
+  /// Material and scene of a stored row.
+  Case case_of(const RowInputs &inputs);
+
+  /// Material to row: solves the scene, fits the curve. Needs an Environment.
+  /// @throws InputError, SolverError as solve_contact() does. A fit that does not converge gives a
+  /// row with status "failed" and the reason.
+  Record compute_row(const Case          &input,
+                     const SolverOptions &options,
+                     const std::string   &fields_directory = {},
+                     const StepObserver  &observer         = {});
+
+  /// A row without a curve: inputs, first yield, status "failed" and the reason.
+  Record failed_row(const Case &input, const std::string &reason);
+
+  /// Fits the row's curve and enters coefficients and status. @throws InputError for a bad curve.
+  CurveFit fit_row(Record &row);
+
+  /// Text on one line: libraries' messages have paragraphs.
+  std::string one_line(const std::string &text);
+} // namespace dpcontact
+
+#endif

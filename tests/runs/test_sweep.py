@@ -1,0 +1,144 @@
+"""A small sweep: killed and resumed, refitted, exported, damaged. Rows are coarse but real."""
+
+import csv
+import pathlib
+import random
+import signal
+import subprocess
+import time
+
+import program
+from program import CORRUPT, FILE, MISMATCH
+
+# Elastic, nearly elastic and plastic rows.
+GRID = """
+set E = 10GPa
+set nu = 0.2
+set phi = 20, 30
+set sigma-c = 20MPa, 1GPa
+set resolution = 8
+set step-tolerance = 2e-2
+"""
+
+# What a run may not repeat: how long it took and what it used.
+UNREPEATABLE = {"wall_seconds", "peak_memory_bytes"}
+
+
+def read_table(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def processes_of(text):
+    """Processes with this text in their command line."""
+    found = []
+    for path in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            if text.encode() in (path / "cmdline").read_bytes():
+                found.append(path.name)
+        except OSError:
+            pass
+    return found
+
+
+class Sweep(program.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.grid = self.write("grid.prm", GRID)
+        self.arguments = ["sweep", self.grid, "--jobs", "2", "--database"]
+
+    def table(self, database):
+        self.succeed("export", database, "--csv", f"{database}.csv")
+        rows = read_table(self.directory / f"{database}.csv")
+        return [{name: value for name, value in row.items() if name not in UNREPEATABLE}
+                for row in rows]
+
+    def kill_during(self, database, lines, delay):
+        """Starts a sweep, kills it after so many lines of its log and a moment."""
+        command = [program.PROGRAM, *map(str, self.arguments), database]
+        with subprocess.Popen(command, cwd=self.directory, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as process:
+            for _ in range(lines):
+                process.stderr.readline()
+            time.sleep(delay)
+            running = process.poll() is None
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        marker = f"{self.directory}"
+        while processes_of(marker):  # the workers end with it, or ctest's time runs out
+            time.sleep(0.01)
+        return running
+
+    def test_kill_and_resume_gives_the_same_rows(self):
+        self.succeed(*self.arguments, "calm.h5")
+        calm = self.table("calm.h5")
+        self.assertEqual(len(calm), 4)
+        self.assertEqual({row["status"] for row in calm}, {"converged"})
+
+        moments = random.Random(2018)
+        # while the workers start, and after the first row of this run is stored
+        hits = [self.kill_during("stormy.h5", 1, moments.uniform(0, 0.2)),
+                self.kill_during("stormy.h5", 2, moments.uniform(0, 0.2)),
+                self.kill_during("stormy.h5", 2, moments.uniform(0, 0.2))]
+        self.assertTrue(hits[0])
+        self.assertLess(self.document("sweep", self.grid, "--dry-run", "--database",
+                                      "stormy.h5")["to_compute"], 4)
+        self.succeed(*self.arguments, "stormy.h5")
+        self.assertEqual(self.table("stormy.h5"), calm)
+
+    def test_life_of_a_database(self):
+        first = self.document(*self.arguments, "table.h5")
+        self.assertEqual((first["computed"], first["converged"], first["failed"]), (4, 4, 0))
+        columns = list(read_table_header(self, "table.h5"))
+        self.assertEqual(columns[:20], [
+            "E_Pa", "nu", "phi_deg", "sigma_c_Pa", "radius_m", "force_max_N", "force_yield_N",
+            "approach_yield_m", "pressure_yield_Pa", "contact_radius_yield_m", "yield_strength_Pa",
+            "a", "b", "m", "n", "a_published", "m_published", "approach_residual_m",
+            "approach_peak_m", "status"])
+
+        with self.subTest("a second run finds nothing to do"), self.unchanged_files():
+            self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
+
+        with self.subTest("other settings are refused with both values"), self.unchanged_files():
+            result = self.run_program(*self.arguments, "table.h5", "--resolution", "9")
+            self.assertEqual(result.returncode, MISMATCH, result.stderr)
+            self.assertIn("stored 8, now 9", result.stderr)
+
+        with self.subTest("refitting the stored curves changes nothing"):
+            with self.unchanged_files():
+                refit = self.document("fit", "table.h5")
+            self.assertEqual(refit["largest_change"], {"a": 0, "b": 0, "m": 0, "n": 0})
+            self.document("fit", "table.h5", "--write")
+            with self.unchanged_files():
+                self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
+
+        with self.subTest("unwritable exports leave everything as it was"):
+            self.write("plain", "kept")
+            with self.unchanged_files():
+                self.fail_with(FILE, "export", "table.h5", "--csv", "plain/table.csv")
+                self.fail_with(FILE, "export", "table.h5", "--csv", "absent/table.csv")
+
+        self.check_truncated("table.h5")
+
+        with self.subTest("a sweep mends a truncated database from its rows"):
+            self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
+            self.assertEqual(len(self.table("table.h5")), 4)
+
+    def check_truncated(self, database):
+        path = self.directory / database
+        content = path.read_bytes()
+        path.write_bytes(content[:len(content) // 2])
+        with self.subTest("truncated database"), self.unchanged_files():
+            self.fail_with(CORRUPT, "fit", database)
+            self.fail_with(CORRUPT, "fit", database, "--write")
+            self.fail_with(CORRUPT, "export", database, "--csv", f"{database}.csv")
+
+
+def read_table_header(test, database):
+    test.succeed("export", database, "--csv", f"{database}.csv")
+    return read_table(test.directory / f"{database}.csv")[0]
+
+
+if __name__ == "__main__":
+    program.main()
