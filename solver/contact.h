@@ -3,11 +3,13 @@
 
 #include "solver/discretization.h"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace dpcontact
 {
-  /// Frictionless contact of the surface with the rigid mirror plane at its quadrature points, by a
+  /// Frictionless contact of the surface with the rigid mirror plane at its nodes, by a
   /// penalty with augmentation (Simo & Laursen, Computers & Structures 42, 1992):
   /// p = ⟨λ − ε g⟩, gap g = h(r) + w − d with the undeformed gap h of one sphere, the
   /// inward displacement w of the surface and the plane's approach d to the sphere.
@@ -22,7 +24,8 @@ namespace dpcontact
       double force_stiffness  = 0; ///< ∂F/∂d at fixed displacements
       double max_pressure     = 0;
       double max_penetration  = 0; ///< largest −g where p > 0
-      unsigned int active     = 0; ///< quadrature points with p > 0
+      double       rounding        = 0; ///< residual norm that rounding in ε g cannot go below
+      unsigned int active          = 0; ///< nodes with p > 0
     };
 
     /// @param radius of the sphere; the undeformed gap is r²/(2 radius).
@@ -44,16 +47,25 @@ namespace dpcontact
     /// Switches all contact off (release) or on.
     void set_active(bool active) { enabled = active; }
 
-    /// Pressure at every quadrature point from the axis outwards: (radius, p).
+    /// Mean pressure on every face of the surface, from the axis outwards: (mean radius, p).
     std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
                                                    double                     approach) const;
+
+    /// Radius of the contact's edge; 0 where nothing touches. It lies between the last node that
+    /// touches and the first that does not, where the gap outside, growing as (r − a)^1.5, closes.
+    double edge_radius(const std::vector<double> &u, double approach) const;
 
     /// Approach at which the plane would first touch the surface displaced by u.
     double touching_approach(const std::vector<double> &u) const;
 
+    /// Approach below which no node that has an area touches: below it the discrete contact cannot
+    /// carry a force.
+    double bearing_approach(const std::vector<double> &u) const;
+
     std::vector<double> multipliers; ///< λ at every point, kept between steps
 
   private:
+    double lowest(const std::vector<double> &u, double least_weight) const;
     double inward(const typename Discretization<dim>::SurfaceFace &face,
                   const typename Discretization<dim>::SurfacePoint &point,
                   const std::vector<double>                       &u) const
@@ -80,7 +92,8 @@ namespace dpcontact
                          const AddStiffness        &add_stiffness) const
   {
     Response     response;
-    unsigned int index = 0;
+    double       squared_weights = 0;
+    unsigned int index           = 0;
     const auto  &faces = discretization.surface();
     if (!enabled)
       return response;
@@ -92,8 +105,9 @@ namespace dpcontact
             const double gap = point.radius * point.radius / (2 * sphere_radius) +
                                inward(face, point, u) - approach;
             const double p = multipliers[index++] - stiffness * gap;
-            if (p <= 0)
+            if (p <= 0 || point.weight <= 0) // the node on the axis has no area
               continue;
+            squared_weights += point.weight * point.weight;
             ++response.active;
             response.force += p * point.weight;
             response.max_pressure    = std::max(response.max_pressure, p);
@@ -109,6 +123,8 @@ namespace dpcontact
             add_stiffness(f, point.value, k);
           }
       }
+    response.rounding = 4 * std::numeric_limits<double>::epsilon() * stiffness *
+                        std::abs(approach) * std::sqrt(squared_weights);
     return response;
   }
 } // namespace dpcontact

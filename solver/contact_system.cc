@@ -25,6 +25,7 @@ namespace dpcontact
       n_points += cell.points.size();
     history.resize(n_points);
     trial.resize(n_points);
+    accumulated.resize(n_points, 0.);
     branch.resize(n_points, DruckerPrager::Branch::elastic);
     stress.resize(n_points);
     build_pattern();
@@ -224,6 +225,17 @@ namespace dpcontact
     approach                      = saved.approach;
     contact_condition.multipliers = saved.multipliers;
     history                       = saved.history;
+    accumulated                   = saved.accumulated;
+  }
+
+  template <int dim>
+  void ContactSystem<dim>::reset()
+  {
+    std::fill(u.begin(), u.end(), 0.);
+    approach = 0;
+    std::fill(contact_condition.multipliers.begin(), contact_condition.multipliers.end(), 0.);
+    std::fill(history.begin(), history.end(), State());
+    std::fill(accumulated.begin(), accumulated.end(), 0.);
   }
 
   template <int dim>
@@ -242,15 +254,15 @@ namespace dpcontact
           const double mean     = dealii::trace(sigma) / 3;
           result.elastic_energy +=
             point.weight * ((deviator * deviator) / (4 * shear) + mean * mean / (2 * bulk));
-          const double accumulated = trial[index].hardening_variable;
-          if (accumulated > 0)
+          accumulated[index] += std::sqrt(2. / 3) * flow.norm();
+          if (accumulated[index] > 0)
             result.plastic_volume += point.weight;
-          result.plastic_strain_max = std::max(result.plastic_strain_max, accumulated);
+          result.plastic_strain_max = std::max(result.plastic_strain_max, accumulated[index]);
           if (branch[index] == DruckerPrager::Branch::apex)
             ++result.apex_points;
           result.largest_yield_excess =
             std::max(result.largest_yield_excess,
-                     law.yield_function(sigma, accumulated) / law.strength);
+                     law.yield_function(sigma, trial[index].hardening_variable) / law.strength);
           ++index;
         }
     history = trial;

@@ -36,6 +36,7 @@ namespace dpcontact
       double              approach = 0;
       std::vector<double> multipliers;
       std::vector<State>  history;
+      std::vector<double> accumulated; ///< ∫ √(2/3) |dεᵖ| at every point
     };
 
     /// Integrals over the body at the state last evaluated, of one sphere.
@@ -60,6 +61,7 @@ namespace dpcontact
     double residual();
     bool   correction();
     double slope() const;
+    double rounding() const { return contact_response.rounding / residual_scale; }
     void   move(double length);
 
     /// Residual and, where asked, tangent at the present iterate, unscaled: for Taylor tests.
@@ -74,13 +76,16 @@ namespace dpcontact
     std::vector<double> u;
     double              approach = 0;
 
-    Snapshot snapshot() const { return {u, approach, contact_condition.multipliers, history}; }
+    Snapshot snapshot() const { return {u, approach, contact_condition.multipliers, history, accumulated}; }
     void     restore(const Snapshot &saved);
+    /// Back to the virgin state.
+    void reset();
 
     /// Makes the trial history the history. @return the step's integrals.
     Integrals commit();
 
-    const std::vector<State> &point_history() const { return history; }
+    const std::vector<State>  &point_history() const { return history; }
+    const std::vector<double> &accumulated_plastic_strain() const { return accumulated; }
     /// Stresses at all quadrature points (cell by cell) at the state last evaluated.
     const std::vector<laws::StressTensor> &stresses() const { return stress; }
     const Discretization<dim>             &discretization() const { return space; }
@@ -109,6 +114,7 @@ namespace dpcontact
     double              approach_step = 0;
 
     std::vector<State>                        history, trial;
+    std::vector<double>                       accumulated;
     std::vector<laws::DruckerPrager::Branch>  branch;
     std::vector<laws::StressTensor>           stress;
   };

@@ -13,7 +13,7 @@ namespace dpcontact
 
     double approach         = unset; ///< mutual approach of remote points δ, m (twice the per-sphere one)
     double force            = unset; ///< normal force F, N
-    double contact_radius   = unset; ///< where the extrapolated pressure vanishes, m
+    double contact_radius   = unset; ///< radius of the contact's edge, m
     double pressure_max     = unset; ///< largest contact pressure, Pa
     double plastic_volume   = unset; ///< volume of one sphere that has yielded so far, m³
     double dissipated_energy = unset; ///< Σ ∫ σₙ₊₁:Δεᵖ dV over both spheres since the start, J

@@ -19,8 +19,7 @@ namespace dpcontact
   template <int dim>
   Discretization<dim>::Discretization(const dealii::Triangulation<dim> &mesh,
                                       const BoussinesqField<dim>       &far_field,
-                                      const Element                     element,
-                                      const unsigned int                contact_points)
+                                      const Element                     element)
     : fe(dealii::FE_Q<dim>(element == Element::linear_full ? 1 : 2), dim)
     , quadrature_points(element == Element::quadratic_full ? 3 : 2)
     , dofs(mesh)
@@ -33,7 +32,7 @@ namespace dpcontact
         free_index[i] = n_free_unknowns++;
     far_index = free_index[far_index];
     build_cells();
-    build_surface(contact_points);
+    build_surface();
     build_exterior(far_field);
   }
 
@@ -208,9 +207,9 @@ namespace dpcontact
   }
 
   template <int dim>
-  void Discretization<dim>::build_surface(const unsigned int contact_points)
+  void Discretization<dim>::build_surface()
   {
-    const dealii::QGauss<dim - 1> quadrature(contact_points);
+    const dealii::QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
     dealii::FEFaceValues<dim>     values(fe,
                                      quadrature,
                                      dealii::update_values | dealii::update_quadrature_points |

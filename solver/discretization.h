@@ -48,7 +48,10 @@ namespace dpcontact
       std::vector<QuadraturePoint> points;
     };
 
+  
     /// A quadrature point of the surface: the inward displacement is −Σ value[i] u[unknowns[i]].
+    /// The points are the face's nodes (Gauss–Lobatto): then every pressure has a nodal force of its
+    /// own, whereas Gauss points leave patterns of pressure that no node feels, and that drift.
     struct SurfacePoint
     {
       double              radius;
@@ -63,11 +66,9 @@ namespace dpcontact
     };
 
     /// @param mesh with the ids of boundary_ids.h; must outlive this object.
-    /// @param contact_points Gauss points a direction on each face of the surface.
     Discretization(const dealii::Triangulation<dim> &mesh,
                    const BoussinesqField<dim>       &far_field,
-                   Element                           element,
-                   unsigned int                      contact_points);
+                   Element                           element);
 
     unsigned int                    n_free() const { return n_free_unknowns; }
     const std::vector<Cell>        &cells() const { return all_cells; }
@@ -88,7 +89,7 @@ namespace dpcontact
   private:
     void constrain(const BoussinesqField<dim> &far_field, Element element);
     void build_cells();
-    void build_surface(unsigned int contact_points);
+    void build_surface();
     void build_exterior(const BoussinesqField<dim> &far_field);
 
     /// Unknowns that a cell's or face's nodal values depend on, and the weights.

@@ -12,11 +12,10 @@ namespace dpcontact
 {
   /// How a displacement in `dim` coordinates becomes a small strain in space.
   ///
-  /// dim = 2 is axisymmetry: coordinates (r, y), y against the contact's normal inwards, components
-  /// (u_r, u_y), hoop strain u_r/r, and every integral carries 2πr. dim = 3 is space, y the last but
-  /// one of nothing: the contact's normal is the last coordinate. The strain's independent
-  /// components are kept as a vector of `n_strains` entries, shears counted twice (γ = 2ε), so that
-  /// σ·ε is the plain product with the stresses.
+  /// dim = 2 is axisymmetry: coordinates (r, y), components (u_r, u_y), hoop strain u_r/r, and every
+  /// integral carries 2πr. dim = 3 is space. The last coordinate is the outward normal of the contact
+  /// surface. The strain's independent components are kept as a vector of `n_strains` entries, shears
+  /// counted twice (γ = 2ε), so that σ·ε is the plain product with the stresses.
   template <int dim>
   struct Kinematics;
 

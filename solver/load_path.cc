@@ -8,28 +8,6 @@
 
 namespace dpcontact
 {
-  double contact_radius(const std::vector<std::pair<double, double>> &profile)
-  {
-    double last = 0;
-    for (const auto &[r, p] : profile)
-      if (p > 0)
-        last = std::max(last, r);
-    if (last == 0)
-      return 0;
-    // Least squares of p² against r².
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto &[r, p] : profile)
-      if (p > 0 && r > 0.75 * last && r < 0.95 * last)
-        {
-          const double rr = r * r, pp = p * p;
-          n += 1, x += rr, y += pp, xx += rr * rr, xy += rr * pp;
-        }
-    const double slope = (n * xy - x * y) / (n * xx - x * x);
-    if (n < 3 || !(slope < 0))
-      return last;
-    return std::sqrt((x - y / slope) / n);
-  }
-
   template <int dim>
   LoadPath<dim>::LoadPath(ContactSystem<dim> &system_,
                           const Options      &options_,
@@ -42,8 +20,7 @@ namespace dpcontact
   template <int dim>
   bool LoadPath<dim>::try_step(const Control control, const double target)
   {
-    const double scale =
-      control == Control::force ? std::max(target, 1e-3 * peak_force) : 1e-3 * peak_force;
+    const double scale = control == Control::force ? std::max(target, 0.1 * peak_force) : peak_force;
     system.set_control(control, target, scale);
     for (unsigned int k = 0; k <= options.max_augmentations; ++k)
       {
@@ -145,7 +122,7 @@ namespace dpcontact
     CurvePoint point;
     point.approach       = 2 * system.approach;
     point.force          = system.force();
-    point.contact_radius = contact_radius(profile);
+    point.contact_radius = system.contact().edge_radius(system.u, system.approach);
     point.pressure_max   = 0;
     for (const auto &[r, p] : profile)
       point.pressure_max = std::max(point.pressure_max, p);
@@ -169,7 +146,7 @@ namespace dpcontact
 
     const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };
     const double n      = options.loading_steps;
-    system.approach     = peak_approach_guess / (n * n);
+    system.approach     = system.contact().bearing_approach(system.u) + peak_approach_guess / (n * n);
     for (unsigned int i = 0; i < options.loading_steps; ++i)
       {
         advance("loading", force_of, i / n, (i + 1) / n);

@@ -73,11 +73,6 @@ namespace dpcontact
     double              previous_approach = 0;
     bool                has_previous      = false;
   };
-
-  /// Contact radius at which the pressure, extrapolated from inside, vanishes: p² is taken linear in r²
-  /// (as in Hertz) over the outer fifth of the contact, the partly covered last element left out.
-  /// @param profile (radius, pressure) from the axis outwards.
-  double contact_radius(const std::vector<std::pair<double, double>> &profile);
 } // namespace dpcontact
 
 #endif

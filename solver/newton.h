@@ -29,6 +29,7 @@ namespace dpcontact
   /// `Problem` has
   ///   double residual();        evaluates at the current iterate, returns a dimensionless norm;
   ///   bool   correction();      solves for the step with the tangent there; false: no solution;
+  ///   double rounding();        share of that norm which rounding alone may leave;
   ///   double slope();           step · residual at the current iterate, negative before moving;
   ///   void   move(double t);    iterate += t · step.
   /// Where the residual is the gradient of a convex potential (associated plasticity and
@@ -41,7 +42,7 @@ namespace dpcontact
     NewtonReport report;
     double       norm = problem.residual();
     report.residuals.push_back(norm);
-    while (!(norm <= options.tolerance))
+    while (!(norm <= options.tolerance + problem.rounding()))
       {
         if (!std::isfinite(norm))
           {

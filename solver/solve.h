@@ -33,9 +33,9 @@ namespace dpcontact
     unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
     double        domain_radius     = 200;   ///< far boundary, in contact radii
     double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)
-    double        step_tolerance    = 2e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    double        step_tolerance    = 3e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
     ContactMethod contact           = ContactMethod::augmented;
-    double        penalty_stiffness = 1e4;   ///< in units of E/a
+    double        penalty_stiffness = 1e5;   ///< in units of E/a
     Units         units             = Units::scaled;
 
     /// @throws InputError naming the option, its value and its range.
@@ -47,6 +47,14 @@ namespace dpcontact
   {
     double radius;   ///< m
     double pressure; ///< Pa, compression positive
+  };
+
+  /// Stress on the axis of symmetry.
+  struct AxisPoint
+  {
+    double depth;         ///< m
+    double axial_stress;  ///< σ_z, Pa, tension positive
+    double radial_stress; ///< σ_r = σ_θ, Pa
   };
 
   /// What a curve cost.
@@ -66,6 +74,8 @@ namespace dpcontact
     FirstYield                 yield;
     Curve                      curve;
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
+    std::vector<AxisPoint>     peak_axis;      ///< stresses on the axis at F_max
+    double                     step_error = 0; ///< estimated error of F(δ) in the load step, over F_max
     Cost                       cost;
     unsigned int               apex_points = 0; ///< converged apex states met over the whole path
     std::vector<std::string>   warnings;        ///< e.g. small strain left behind

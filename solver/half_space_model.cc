@@ -1,0 +1,106 @@
+#include "solver/half_space_model.h"
+
+#include "meshing/zoned_mesh.h"
+#include "solver/hertz.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace dpcontact
+{
+  HalfSpaceModel::HalfSpaceModel(const Material      &material,
+                                 const Scene         &scene_,
+                                 const SolverOptions &options_,
+                                 const double         mesh_radius,
+                                 const Element        element)
+    : scene(scene_)
+    , options(options_)
+    , peak_approach_guess(hertz::approach(material, scene.radius, scene.force_max) / 2)
+  {
+    const double a = mesh_radius, E = material.youngs_modulus, nu = material.poisson_ratio;
+    const bool   si = options.units == Units::si;
+    unit_system     = si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / scene.radius, E * a / scene.radius};
+
+    Zones zones;
+    zones.resolution    = options.resolution;
+    zones.level         = options.level;
+    zones.domain_radius = options.domain_radius;
+    zones.stretch       = options.mesh_stretch;
+    make_zoned_mesh(zones, triangulation);
+    if (si)
+      dealii::GridTools::scale(a, triangulation);
+
+    const double        modulus = si ? E : 1;
+    laws::DruckerPrager law;
+    law.shear_modulus = modulus / (2 * (1 + nu));
+    law.bulk_modulus  = modulus / (3 * (1 - 2 * nu));
+    law.alpha         = laws::drucker_prager_alpha(material.friction_angle);
+    law.strength =
+      laws::drucker_prager_strength(material.friction_angle, material.compressive_strength) /
+      unit_system.stress;
+
+    space = std::make_unique<Discretization<2>>(triangulation,
+                                                BoussinesqField<2>(modulus, nu),
+                                                element);
+    contact_system =
+      std::make_unique<ContactSystem<2>>(*space,
+                                         law,
+                                         si ? scene.radius : 1.,
+                                         options.penalty_stiffness * (si ? E / a : 1.));
+  }
+
+  LoadPath<2> HalfSpaceModel::start_path(const unsigned int  loading_steps,
+                                         const StepObserver &observer)
+  {
+    LoadPath<2>::Options path_options;
+    path_options.loading_steps   = loading_steps;
+    path_options.unloading_steps = (loading_steps + 1) / 2;
+    path_options.augment         = options.contact == ContactMethod::augmented;
+    contact_system->reset();
+    return LoadPath<2>(*contact_system, path_options, observer);
+  }
+
+  std::vector<CurvePoint> HalfSpaceModel::run_to_peak(const unsigned int  loading_steps,
+                                                      const StepObserver &observer)
+  {
+    LoadPath<2>             path   = start_path(loading_steps, observer);
+    std::vector<CurvePoint> branch = path.load(scene.force_max / unit_system.force(),
+                                               peak_approach_guess / unit_system.displacement);
+    counted                        = path.counters();
+    to_si(branch);
+    return branch;
+  }
+
+  Curve HalfSpaceModel::run(const unsigned int           loading_steps,
+                            const StepObserver          &observer,
+                            const std::function<void()> &at_peak,
+                            const std::function<void()> &at_end)
+  {
+    LoadPath<2> path = start_path(loading_steps, observer);
+    Curve       curve;
+    curve.loading = path.load(scene.force_max / unit_system.force(),
+                              peak_approach_guess / unit_system.displacement);
+    if (at_peak)
+      at_peak();
+    curve.unloading = path.unload();
+    if (at_end)
+      at_end();
+    counted = path.counters();
+    to_si(curve.loading);
+    to_si(curve.unloading);
+    return curve;
+  }
+
+  void HalfSpaceModel::to_si(std::vector<CurvePoint> &branch) const
+  {
+    for (auto &point : branch)
+      {
+        point.approach *= unit_system.displacement;
+        point.force *= unit_system.force();
+        point.contact_radius *= unit_system.length;
+        point.pressure_max *= unit_system.stress;
+        point.plastic_volume *= unit_system.length * unit_system.length * unit_system.length;
+        point.dissipated_energy *= unit_system.energy();
+        point.plastic_strain_max *= unit_system.displacement / unit_system.length;
+      }
+  }
+} // namespace dpcontact

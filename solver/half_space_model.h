@@ -1,0 +1,69 @@
+#ifndef DPCONTACT_SOLVER_HALF_SPACE_MODEL_H
+#define DPCONTACT_SOLVER_HALF_SPACE_MODEL_H
+
+#include "meshing/zones.h"
+#include "solver/contact_system.h"
+#include "solver/load_path.h"
+#include "solver/solve.h"
+
+#include <deal.II/grid/tria.h>
+
+#include <memory>
+
+namespace dpcontact
+{
+  /// The units in which a model is solved, as factors to SI.
+  ///
+  /// Scaled: lengths by the contact radius a, displacements by a²/R, stresses by E a/R, and E, a, R are 1.
+  /// Small strain lets lengths and displacements have units of their own; a/R then
+  /// drops out, and only ν, φ and the load level stay.
+  struct UnitSystem
+  {
+    double length, displacement, stress;
+    double force() const { return stress * length * length; }
+    double energy() const { return force() * displacement; }
+  };
+
+  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of.
+  class HalfSpaceModel
+  {
+  public:
+    /// @param mesh_radius contact radius that the mesh is fitted to, m.
+    HalfSpaceModel(const Material      &material,
+                   const Scene         &scene,
+                   const SolverOptions &options,
+                   double               mesh_radius,
+                   Element              element = Element::serendipity_reduced);
+
+    /// Runs the whole path with `loading_steps` steps up and half as many down, from the virgin state.
+    /// @param at_peak called at the peak, @param at_end after release; may be empty.
+    Curve run(unsigned int                 loading_steps,
+              const StepObserver          &observer,
+              const std::function<void()> &at_peak = {},
+              const std::function<void()> &at_end  = {});
+
+    /// The loading branch alone, from the virgin state.
+    std::vector<CurvePoint> run_to_peak(unsigned int loading_steps, const StepObserver &observer);
+
+    const UnitSystem                 &units() const { return unit_system; }
+    const ContactSystem<2>           &system() const { return *contact_system; }
+    const Discretization<2>          &discretization() const { return *space; }
+    const LoadPath<2>::Counters      &counters() const { return counted; }
+    const dealii::Triangulation<2>   &mesh() const { return triangulation; }
+
+  private:
+    LoadPath<2> start_path(unsigned int loading_steps, const StepObserver &observer);
+    void        to_si(std::vector<CurvePoint> &branch) const;
+
+    Scene                              scene;
+    SolverOptions                      options;
+    UnitSystem                         unit_system;
+    double                             peak_approach_guess; ///< per sphere, m
+    dealii::Triangulation<2>           triangulation;
+    std::unique_ptr<Discretization<2>> space;
+    std::unique_ptr<ContactSystem<2>>  contact_system;
+    LoadPath<2>::Counters              counted;
+  };
+} // namespace dpcontact
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef DPCONTACT_SOLVER_RECOVERY_H
+#define DPCONTACT_SOLVER_RECOVERY_H
+
+#include "solver/contact_system.h"
+#include "solver/solve.h"
+
+#include <string>
+
+namespace dpcontact
+{
+  /// Writes displacement, stress, pressure, Mises stress and accumulated plastic strain of the state
+  /// last evaluated to a VTU file (ParaView), linear within each cell, from its quadrature points.
+  /// @param length, displacement, stress factors from the system's units to SI.
+  /// @throws FileError where the file cannot be written.
+  template <int dim>
+  void write_fields(const ContactSystem<dim> &system,
+                    double                    length,
+                    double                    displacement,
+                    double                    stress,
+                    const std::string        &file);
+
+  /// Stresses on the axis r = 0 from the surface downwards, by the same linear recovery, each value at
+  /// the end of a cell's edge and the mean of the cells that meet there. In the system's units.
+  std::vector<AxisPoint> axis_profile(const ContactSystem<2> &system);
+} // namespace dpcontact
+
+#endif
