@@ -65,6 +65,15 @@ namespace dpcontact
         }
       return csv;
     }
+
+    std::string axis_csv(const std::vector<AxisPoint> &axis)
+    {
+      std::string csv = "depth_m,axial_stress_Pa,radial_stress_Pa\n";
+      for (const AxisPoint &point : axis)
+        csv += text(point.depth) + "," + text(point.axial_stress) + "," +
+               text(point.radial_stress) + "\n";
+      return csv;
+    }
   } // namespace
 
   void make_result_directory(const std::filesystem::path &directory)
@@ -79,11 +88,12 @@ namespace dpcontact
   }
 
   void write_result_files(const std::filesystem::path &directory,
-                          const Record                &row,
+                          const Solution              &solution,
                           const Json                  &document)
   {
-    write_file(directory / "curve.csv", curve_csv(row.curve));
-    write_file(directory / "profile.csv", profile_csv(row.peak_profile));
+    write_file(directory / "curve.csv", curve_csv(solution.curve));
+    write_file(directory / "profile.csv", profile_csv(solution.peak_profile));
+    write_file(directory / "axis.csv", axis_csv(solution.peak_axis));
     write_file(directory / "result.json", document.dump(2) + '\n');
   }
 } // namespace dpcontact

@@ -10,10 +10,10 @@ namespace dpcontact
   /// Makes the directory, with its parents, unless it is there. @throws FileError.
   void make_result_directory(const std::filesystem::path &directory);
 
-  /// Writes result.json, curve.csv (both branches) and profile.csv (contact pressure at the peak).
-  /// Names and units in the headers are those of the database. @throws FileError.
+  /// Writes result.json, curve.csv (both branches), profile.csv (contact pressure at the peak) and
+  /// axis.csv (stresses on the axis at the peak, tension positive). SI units, named in the headers. @throws FileError.
   void write_result_files(const std::filesystem::path &directory,
-                          const Record                &row,
+                          const Solution              &solution,
                           const Json                  &document);
 } // namespace dpcontact
 

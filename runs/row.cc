@@ -158,15 +158,9 @@ namespace dpcontact
     return result;
   }
 
-  Record compute_row(const Case          &input,
-                     const SolverOptions &options,
-                     const std::string   &fields_directory,
-                     const StepObserver  &observer)
+  Record row_of(const Case &input, const Solution &solution)
   {
-    Record   row = new_row(input);
-    Solution solution =
-      solve_contact(input.material, input.scene, options, fields_directory, observer);
-
+    Record            row     = new_row(input);
     const CurvePoint &peak    = solution.curve.loading.back();
     const CurvePoint &release = solution.curve.unloading.back();
     row.contact_radius_peak_m = peak.contact_radius;
@@ -186,8 +180,8 @@ namespace dpcontact
     for (const std::string &warning : solution.warnings)
       row.warnings += (row.warnings.empty() ? "" : "; ") + warning;
 
-    row.curve        = std::move(solution.curve);
-    row.peak_profile = std::move(solution.peak_profile);
+    row.curve        = solution.curve;
+    row.peak_profile = solution.peak_profile;
     fit_row(row);
     return row;
   }

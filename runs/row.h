@@ -14,13 +14,9 @@ namespace dpcontact
   /// Material and scene of a stored row.
   Case case_of(const RowInputs &inputs);
 
-  /// Material to row: solves the scene, fits the curve. Needs an Environment.
-  /// @throws InputError, SolverError as solve_contact() does. A fit that does not converge gives a
-  /// row with status "failed" and the reason.
-  Record compute_row(const Case          &input,
-                     const SolverOptions &options,
-                     const std::string   &fields_directory = {},
-                     const StepObserver  &observer         = {});
+  /// The row of a computed scene: fits its curve. A fit that does not converge gives a row with
+  /// status "failed" and the reason.
+  Record row_of(const Case &input, const Solution &solution);
 
   /// A row without a curve: inputs, first yield, status "failed" and the reason.
   Record failed_row(const Case &input, const std::string &reason);

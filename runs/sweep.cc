@@ -81,7 +81,7 @@ namespace dpcontact
         Record      row;
         try
           {
-            row = compute_row(input, sweep.solver);
+            row = row_of(input, solve_contact(input.material, input.scene, sweep.solver));
           }
         catch (const std::exception &error)
           {

@@ -34,11 +34,14 @@ namespace dpcontact::commands
                 << newton_iterations << " Newton iterations" << std::flush;
     }
 
-    Json document_of(const Case &input, const SolverOptions &used, const Record &row)
+    Json document_of(const Case          &input,
+                     const SolverOptions &used,
+                     const Solution      &solution,
+                     const Record        &row)
     {
       return {{"material", material_json(input)},
               {"scene", scene_json(input)},
-              {"yield", yield_json(first_yield(input.material, input.scene.radius))},
+              {"yield", yield_json(solution.yield)},
               {"fit", fit_json(row)},
               {"published_convention", published_json(row)},
               {"peak",
@@ -51,6 +54,7 @@ namespace dpcontact::commands
               {"plastic_volume", row.plastic_volume_m3},
               {"dissipated_energy", row.dissipated_energy_J},
               {"apex_points", row.apex_points},
+              {"step_error", solution.step_error},
               {"cost", cost_json(row)},
               {"status", row.status},
               {"reason", row.reason},
@@ -59,13 +63,13 @@ namespace dpcontact::commands
               {"versions", versions()}};
     }
 
-    void print_for_people(const Case &input, const Record &row)
+    void print_for_people(const Case &input, const Solution &solution, const Record &row)
     {
       const auto length = [](const double value) {
         return format_quantity(value, Dimension::length);
       };
       std::cout << label(input) << '\n'
-                << describe(first_yield(input.material, input.scene.radius)) << '\n'
+                << describe(solution.yield) << '\n'
                 << describe_fit(row) << '\n'
                 << "peak      F = "
                 << format_quantity(row.curve.loading.back().force, Dimension::force)
@@ -79,6 +83,8 @@ namespace dpcontact::commands
                 << row.newton_iterations << " Newton iterations, "
                 << format_quantity(row.wall_seconds, Dimension::number) << " s, "
                 << row.peak_memory_bytes / 1000000 << " MB\n"
+                << "accuracy  load step " << format_quantity(solution.step_error, Dimension::number)
+                << " of the peak force\n"
                 << "status    " << row.status << (row.reason.empty() ? "" : ": ") << row.reason
                 << '\n';
     }
@@ -98,20 +104,25 @@ namespace dpcontact::commands
 
       const bool        terminal = isatty(STDERR_FILENO) == 1;
       const Environment environment;
-      const Record      row =
-        compute_row(input, used, directory, terminal ? StepObserver(report_step) : StepObserver());
+      const Solution    solution =
+        solve_contact(input.material,
+                      input.scene,
+                      used,
+                      directory,
+                      terminal ? StepObserver(report_step) : StepObserver());
+      const Record row = row_of(input, solution);
       if (terminal)
         std::cerr << "\r\033[K" << std::flush;
 
-      const Json document = document_of(input, used, row);
+      const Json document = document_of(input, used, solution, row);
       if (!directory.empty())
-        write_result_files(directory, row, document);
+        write_result_files(directory, solution, document);
       if (!row.warnings.empty())
         std::cerr << "dpcontact: warning: " << row.warnings << std::endl;
       if (options.json)
         print_document(document);
       else
-        print_for_people(input, row);
+        print_for_people(input, solution, row);
       if (row.status != "converged")
         throw SolverError(row.reason);
       return ExitCode::success;

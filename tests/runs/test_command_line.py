@@ -1,5 +1,6 @@
 """The command line: documents, messages and exit codes that need no computation of a curve."""
 
+import json
 import subprocess
 
 import program
@@ -77,6 +78,54 @@ class Yield(program.TestCase):
             result = subprocess.run([program.PROGRAM, "yield", *TYPE_1], stdout=full,
                                     stderr=subprocess.PIPE, check=False)
         self.assertEqual(result.returncode, FILE)
+
+
+class Solve(program.TestCase):
+    COARSE = ["--resolution", "12", "--step-tolerance", "1e-2"]
+
+    def test_document_and_files(self):
+        found = self.document("solve", *TYPE_1, *self.COARSE, "--output", "new/results")
+        self.assertEqual(found["material"],
+                         {"E": 1e10, "nu": 0.15, "phi_deg": 25, "sigma_c": 15e6})
+        self.assertEqual(found["scene"], {"radius": 0.1, "force_max": 100})
+        self.assertEqual(found["status"], "converged")
+        for part, names in {
+                "yield": "force approach pressure depth_over_contact_radius ring_force",
+                "fit": "a b m n r2_loading r2_unloading rmse_loading rmse_unloading",
+                "published_convention": "a m approach_yield",
+                "peak": "force approach contact_radius pressure",
+                "cost": "dofs steps newton_iterations wall_seconds peak_memory_bytes"}.items():
+            for name in names.split():
+                with self.subTest(part=part, name=name):
+                    self.assertGreater(found[part][name], 0)
+        self.assertEqual(set(found["fit"]["standard_error"]), set("abmn"))
+        self.assertGreater(found["residual_approach"], 0)
+
+        fit, published = found["fit"], found["published_convention"]
+        # the approach at yield is per sphere in the published convention
+        self.assertAlmostEqual(published["a"], fit["a"] * 2 ** -fit["b"], places=12)
+        self.assertAlmostEqual(published["m"], fit["m"] * 2 ** -fit["n"], places=12)
+        self.assertAlmostEqual(published["approach_yield"] / found["yield"]["approach"], 0.5,
+                               places=12)
+        # landing on the peak force is promised to 1e-6
+        self.assertAlmostEqual(found["peak"]["force"], 100, delta=1e-4)
+
+        results = self.directory / "new" / "results"
+        self.assertEqual(json.loads((results / "result.json").read_text(encoding="utf-8")), found)
+        self.assertEqual(len(list(results.glob("*.vtu"))), 2)
+        self.assertTrue((results / "profile.csv").read_text(encoding="utf-8").startswith(
+            "radius_m,pressure_Pa\n"))
+        curve = (results / "curve.csv").read_text(encoding="utf-8").splitlines()
+        self.assertTrue(curve[0].startswith("branch,approach_m,force_N,"))
+        branches = [line.split(",")[0] for line in curve[1:]]
+        self.assertEqual(set(branches), {"loading", "unloading"})
+
+    def test_large_contact_is_warned_of(self):
+        # Hertz: a/R = 0.19, where small strain ends at 0.1
+        result = self.succeed("solve", "--E", "1GPa", "--nu", "0.2", "--phi", "30", "--sigma-c",
+                              "10GPa", "--radius", "10mm", "--force-max", "1kN", *self.COARSE)
+        self.assertIn("warning", result.stderr)
+        self.assertNotIn("warning", self.succeed("solve", *TYPE_1, *self.COARSE).stderr)
 
 
 class Usage(program.TestCase):

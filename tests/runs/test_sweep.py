@@ -1,6 +1,7 @@
-"""A small sweep: killed and resumed, refitted, exported, damaged. Rows are coarse but real."""
+"""A small sweep: killed and resumed, refitted, exported, damaged."""
 
 import csv
+import os
 import pathlib
 import random
 import signal
@@ -8,16 +9,16 @@ import subprocess
 import time
 
 import program
-from program import CORRUPT, FILE, MISMATCH
+from program import CORRUPT, FILE, INCOMPLETE, MISMATCH
 
-# Elastic, nearly elastic and plastic rows.
+# Elastic and plastic rows, coarse enough for a fraction of a second each.
 GRID = """
 set E = 10GPa
 set nu = 0.2
 set phi = 20, 30
 set sigma-c = 20MPa, 1GPa
-set resolution = 8
-set step-tolerance = 2e-2
+set resolution = 12
+set step-tolerance = 1e-2
 """
 
 # What a run may not repeat: how long it took and what it used.
@@ -41,6 +42,11 @@ def processes_of(text):
     return found
 
 
+def children_of(process):
+    path = pathlib.Path(f"/proc/{process}/task/{process}/children")
+    return [int(child) for child in path.read_text(encoding="utf-8").split()]
+
+
 class Sweep(program.TestCase):
     def setUp(self):
         super().setUp()
@@ -53,12 +59,14 @@ class Sweep(program.TestCase):
         return [{name: value for name, value in row.items() if name not in UNREPEATABLE}
                 for row in rows]
 
+    def start(self, database):
+        command = [program.PROGRAM, *map(str, self.arguments), database]
+        return subprocess.Popen(command, cwd=self.directory, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
     def kill_during(self, database, lines, delay):
         """Starts a sweep, kills it after so many lines of its log and a moment."""
-        command = [program.PROGRAM, *map(str, self.arguments), database]
-        with subprocess.Popen(command, cwd=self.directory, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                              text=True) as process:
+        with self.start(database) as process:
             for _ in range(lines):
                 process.stderr.readline()
             time.sleep(delay)
@@ -87,10 +95,31 @@ class Sweep(program.TestCase):
         self.succeed(*self.arguments, "stormy.h5")
         self.assertEqual(self.table("stormy.h5"), calm)
 
+    def test_worker_that_is_killed_fails_its_row_only(self):
+        with self.start("table.h5") as process:
+            process.stderr.readline()
+            while not (children := children_of(process.pid)):
+                time.sleep(0.001)
+            os.kill(children[0], signal.SIGKILL)
+            log = process.stderr.read()
+        self.assertEqual(process.returncode, INCOMPLETE, log)
+        rows = self.table("table.h5")
+        self.assertEqual([row["status"] for row in rows].count("converged"), 3, log)
+        failed = next(row for row in rows if row["status"] == "failed")
+        self.assertIn("signal 9", failed["reason"])
+        self.assertNotEqual(failed["force_yield_N"], "nan")
+
+        result = self.run_program(*self.arguments, "table.h5", "--json")
+        self.assertEqual(result.returncode, INCOMPLETE)
+        self.assertIn('"computed": 0', result.stdout)
+        self.assertEqual(self.document(*self.arguments, "table.h5", "--retry-failed")["computed"], 1)
+        self.succeed(*self.arguments, "calm.h5")
+        self.assertEqual(self.table("table.h5"), self.table("calm.h5"))
+
     def test_life_of_a_database(self):
         first = self.document(*self.arguments, "table.h5")
         self.assertEqual((first["computed"], first["converged"], first["failed"]), (4, 4, 0))
-        columns = list(read_table_header(self, "table.h5"))
+        columns = list(self.table("table.h5")[0])
         self.assertEqual(columns[:20], [
             "E_Pa", "nu", "phi_deg", "sigma_c_Pa", "radius_m", "force_max_N", "force_yield_N",
             "approach_yield_m", "pressure_yield_Pa", "contact_radius_yield_m", "yield_strength_Pa",
@@ -101,9 +130,9 @@ class Sweep(program.TestCase):
             self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
 
         with self.subTest("other settings are refused with both values"), self.unchanged_files():
-            result = self.run_program(*self.arguments, "table.h5", "--resolution", "9")
+            result = self.run_program(*self.arguments, "table.h5", "--resolution", "13")
             self.assertEqual(result.returncode, MISMATCH, result.stderr)
-            self.assertIn("stored 8, now 9", result.stderr)
+            self.assertIn("stored 12, now 13", result.stderr)
 
         with self.subTest("refitting the stored curves changes nothing"):
             with self.unchanged_files():
@@ -133,11 +162,6 @@ class Sweep(program.TestCase):
             self.fail_with(CORRUPT, "fit", database)
             self.fail_with(CORRUPT, "fit", database, "--write")
             self.fail_with(CORRUPT, "export", database, "--csv", f"{database}.csv")
-
-
-def read_table_header(test, database):
-    test.succeed("export", database, "--csv", f"{database}.csv")
-    return read_table(test.directory / f"{database}.csv")[0]
 
 
 if __name__ == "__main__":
