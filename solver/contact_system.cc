@@ -28,7 +28,9 @@ namespace dpcontact
     accumulated.resize(n_points, 0.);
     branch.resize(n_points, DruckerPrager::Branch::elastic);
     stress.resize(n_points);
+    tangents.resize(n_points);
     build_pattern();
+    build_elastic_stiffness();
     solver = std::make_unique<CholeskySolver>(matrix);
   }
 
@@ -82,86 +84,169 @@ namespace dpcontact
   }
 
   template <int dim>
+  template <class TangentOfPoint>
+  void ContactSystem<dim>::cell_block(const typename Discretization<dim>::Cell &cell,
+                                      const TangentOfPoint                     &tangent,
+                                      std::vector<double>                      &block) const
+  {
+    constexpr unsigned int n_strains = Kinematics<dim>::n_strains;
+    const auto             n         = cell.unknowns.size();
+    block.assign(n * (n + 1) / 2, 0.);
+    std::vector<std::array<double, n_strains>> stress_of(n);
+    for (unsigned int q = 0; q < cell.points.size(); ++q)
+      {
+        const auto          &point = cell.points[q];
+        const TangentMatrix &D     = tangent(q);
+        for (std::size_t i = 0; i < n; ++i)
+          for (unsigned int s = 0; s < n_strains; ++s)
+            {
+              double product = 0;
+              for (unsigned int t = 0; t < n_strains; ++t)
+                product += D[s][t] * point.strain[i][t];
+              stress_of[i][s] = point.weight * product;
+            }
+        double *entry = block.data();
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const auto b = point.strain[i];
+            for (std::size_t j = i; j < n; ++j, ++entry)
+              {
+                double product = 0;
+                for (unsigned int s = 0; s < n_strains; ++s)
+                  product += b[s] * stress_of[j][s];
+                *entry += product;
+              }
+          }
+      }
+  }
+
+  namespace
+  {
+    /// The entries of a spatial tangent that act on the strain vector.
+    template <int dim, class Matrix>
+    void restrict_tangent(const laws::Tangent &tangent, Matrix &matrix)
+    {
+      for (unsigned int s = 0; s < Kinematics<dim>::n_strains; ++s)
+        for (unsigned int t = 0; t < Kinematics<dim>::n_strains; ++t)
+          {
+            const auto [i, j] = Kinematics<dim>::positions[s];
+            const auto [k, l] = Kinematics<dim>::positions[t];
+            matrix[s][t]      = tangent[i][j][k][l];
+          }
+    }
+  } // namespace
+
+  template <int dim>
+  void ContactSystem<dim>::build_elastic_stiffness()
+  {
+    TangentMatrix elastic;
+    restrict_tangent<dim>(law.evaluate(State(), laws::StressTensor()).tangent, elastic);
+    elastic_blocks.resize(space.cells().size());
+    for (std::size_t c = 0; c < space.cells().size(); ++c)
+      {
+        cell_block(
+          space.cells()[c],
+          [&elastic](unsigned int) -> const TangentMatrix & { return elastic; },
+          elastic_blocks[c]);
+        for (std::size_t k = 0; k < elastic_blocks[c].size(); ++k)
+          matrix.value[cell_positions[c][k]] += elastic_blocks[c][k];
+      }
+    matrix.value[far_position] += space.exterior_stiffness();
+    elastic_values = matrix.value;
+    elastic_tangent = elastic;
+  }
+
+  template <int dim>
+  void ContactSystem<dim>::assemble_tangent()
+  {
+    matrix.value = elastic_values;
+    std::vector<double> block;
+    std::size_t         first = 0;
+    for (std::size_t c = 0; c < space.cells().size(); ++c)
+      {
+        const auto &cell     = space.cells()[c];
+        const auto  is_plastic = [&](const std::size_t q) {
+          return branch[first + q] != DruckerPrager::Branch::elastic;
+        };
+        bool plastic = false;
+        for (std::size_t q = 0; q < cell.points.size(); ++q)
+          plastic = plastic || is_plastic(q);
+        if (plastic)
+          {
+            cell_block(
+              cell,
+              [&](const unsigned int q) -> const TangentMatrix & {
+                return is_plastic(q) ? tangents[first + q] : elastic_tangent;
+              },
+              block);
+            for (std::size_t k = 0; k < block.size(); ++k)
+              matrix.value[cell_positions[c][k]] += block[k] - elastic_blocks[c][k];
+          }
+        first += cell.points.size();
+      }
+    for (const auto &[face, values] : contact_blocks)
+      for (std::size_t k = 0; k < values.size(); ++k)
+        matrix.value[surface_positions[face][k]] += values[k];
+  }
+
+  template <int dim>
   double ContactSystem<dim>::residual()
   {
     constexpr unsigned int n_strains = Kinematics<dim>::n_strains;
     std::fill(rhs.begin(), rhs.end(), 0.);
     std::fill(approach_derivative.begin(), approach_derivative.end(), 0.);
-    std::fill(matrix.value.begin(), matrix.value.end(), 0.);
 
-    std::vector<double> block;
-    std::vector<std::array<double, n_strains>> stress_per_unknown;
+    std::vector<double> local, force;
     std::size_t         index = 0;
-    for (std::size_t c = 0; c < space.cells().size(); ++c)
+    for (const auto &cell : space.cells())
       {
-        const auto  &cell = space.cells()[c];
-        const auto   n    = static_cast<unsigned int>(cell.unknowns.size());
-        block.assign(n * (n + 1) / 2, 0.);
-        stress_per_unknown.resize(n);
+        const std::size_t n = cell.unknowns.size();
+        local.resize(n);
+        force.assign(n, 0.);
+        for (std::size_t i = 0; i < n; ++i)
+          local[i] = u[cell.unknowns[i]];
         for (const auto &point : cell.points)
           {
-            std::array<double, n_strains> strain{};
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const double value = u[cell.unknowns[i]];
-                for (unsigned int s = 0; s < n_strains; ++s)
-                  strain[s] += value * point.strain[i][s];
-              }
+            std::array<double, n_strains> strain{}, sigma;
+            for (std::size_t i = 0; i < n; ++i)
+              for (unsigned int s = 0; s < n_strains; ++s)
+                strain[s] += local[i] * point.strain[i][s];
             const auto response = law.evaluate(history[index], strain_tensor<dim>(strain));
             trial[index]        = response.state;
             branch[index]       = response.branch;
             stress[index]       = response.stress;
+            if (response.branch != DruckerPrager::Branch::elastic)
+              restrict_tangent<dim>(response.tangent, tangents[index]);
             ++index;
 
-            std::array<double, n_strains>                       sigma;
-            std::array<std::array<double, n_strains>, n_strains> tangent;
             for (unsigned int s = 0; s < n_strains; ++s)
               {
                 const auto [i, j] = Kinematics<dim>::positions[s];
                 sigma[s]          = point.weight * response.stress[i][j];
-                for (unsigned int t = 0; t < n_strains; ++t)
-                  {
-                    const auto [k, l] = Kinematics<dim>::positions[t];
-                    tangent[s][t]     = point.weight * response.tangent[i][j][k][l];
-                  }
               }
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const auto &b = point.strain[i];
-                double      r = 0;
-                for (unsigned int s = 0; s < n_strains; ++s)
-                  {
-                    r += b[s] * sigma[s];
-                    double product = 0;
-                    for (unsigned int t = 0; t < n_strains; ++t)
-                      product += tangent[s][t] * b[t];
-                    stress_per_unknown[i][s] = product;
-                  }
-                rhs[cell.unknowns[i]] += r;
-              }
-            double *entry = block.data();
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = i; j < n; ++j, ++entry)
-                for (unsigned int s = 0; s < n_strains; ++s)
-                  *entry += point.strain[i][s] * stress_per_unknown[j][s];
+            for (std::size_t i = 0; i < n; ++i)
+              for (unsigned int s = 0; s < n_strains; ++s)
+                force[i] += point.strain[i][s] * sigma[s];
           }
-        for (std::size_t k = 0; k < block.size(); ++k)
-          matrix.value[cell_positions[c][k]] += block[k];
+        for (std::size_t i = 0; i < n; ++i)
+          rhs[cell.unknowns[i]] += force[i];
       }
 
+    contact_blocks.clear();
     contact_response = contact_condition.evaluate(
       u,
       approach,
       rhs,
       approach_derivative,
       [this](const unsigned int face, const std::vector<double> &value, const double k) {
-        const int *position = surface_positions[face].data();
-        for (unsigned int i = 0; i < value.size(); ++i)
-          for (unsigned int j = i; j < value.size(); ++j, ++position)
-            matrix.value[*position] += k * value[i] * value[j];
+        if (contact_blocks.empty() || contact_blocks.back().first != face)
+          contact_blocks.emplace_back(face, std::vector<double>(surface_positions[face].size()));
+        double *entry = contact_blocks.back().second.data();
+        for (std::size_t i = 0; i < value.size(); ++i)
+          for (std::size_t j = i; j < value.size(); ++j, ++entry)
+            *entry += k * value[i] * value[j];
       });
     rhs[space.far_unknown()] += space.exterior_stiffness() * u[space.far_unknown()];
-    matrix.value[far_position] += space.exterior_stiffness();
 
     double square = 0;
     for (const double r : rhs)
@@ -174,6 +259,7 @@ namespace dpcontact
   template <int dim>
   bool ContactSystem<dim>::correction()
   {
+    assemble_tangent();
     if (!solver->factorize(matrix))
       return false;
     std::vector<double> negative(rhs.size());

@@ -64,9 +64,15 @@ namespace dpcontact
     double rounding() const { return contact_response.rounding / residual_scale; }
     void   move(double length);
 
-    /// Residual and, where asked, tangent at the present iterate, unscaled: for Taylor tests.
+    /// Residual at the iterate last evaluated, and the tangent there, unscaled.
     const std::vector<double> &residual_vector() const { return rhs; }
-    const SymmetricMatrix     &tangent() const { return matrix; }
+    const SymmetricMatrix     &tangent()
+    {
+      assemble_tangent();
+      return matrix;
+    }
+    /// ∂(residual)/∂d = ∂F/∂u at the iterate last evaluated.
+    const std::vector<double> &residual_by_approach() const { return approach_derivative; }
 
     double force() const { return contact_response.force; }
     const typename Contact<dim>::Response &contact_state() const { return contact_response; }
@@ -93,6 +99,13 @@ namespace dpcontact
 
   private:
     void build_pattern();
+    void build_elastic_stiffness();
+    void assemble_tangent();
+    /// Upper triangle, row by row, of ∫ Bᵀ D B of a cell; `tangent(q)` is D of its point q.
+    template <class TangentOfPoint>
+    void cell_block(const typename Discretization<dim>::Cell &cell,
+                    const TangentOfPoint                     &tangent,
+                    std::vector<double>                      &block) const;
 
     const Discretization<dim> &space;
     laws::DruckerPrager        law;
@@ -103,7 +116,15 @@ namespace dpcontact
     double  target         = 0;
     double  residual_scale = 1;
 
+    using TangentMatrix =
+      std::array<std::array<double, Kinematics<dim>::n_strains>, Kinematics<dim>::n_strains>;
+
     SymmetricMatrix                 matrix;
+    TangentMatrix                   elastic_tangent{};
+    std::vector<double>             elastic_values;    ///< of `matrix`, without plasticity and contact
+    std::vector<std::vector<double>> elastic_blocks;   ///< of every cell
+    std::vector<TangentMatrix>      tangents;          ///< of the points off the elastic branch
+    std::vector<std::pair<unsigned int, std::vector<double>>> contact_blocks; ///< (surface face, block)
     std::vector<std::vector<int>>   cell_positions;    ///< upper triangle of each cell's block
     std::vector<std::vector<int>>   surface_positions; ///< likewise of each surface face
     int                             far_position = 0;
