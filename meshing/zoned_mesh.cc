@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace dpcontact
 {
@@ -39,16 +40,28 @@ namespace dpcontact
 
   void Zones::check() const
   {
+    // First, so that what follows compares numbers only.
+    const std::pair<const char *, double> lengths[] = {{"contact_zone", contact_zone},
+                                                       {"plastic_zone", plastic_zone},
+                                                       {"fine_depth", fine_depth},
+                                                       {"medium_depth", medium_depth},
+                                                       {"domain_radius", domain_radius},
+                                                       {"growth", growth},
+                                                       {"stretch", stretch}};
+    for (const auto &[name, value] : lengths)
+      require(std::isfinite(value), name, value, "finite");
     require(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
     require(level <= 6, "level", level, "at most 6");
     require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
     require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
     require(fine_depth > 0 && fine_depth <= medium_depth, "fine_depth", fine_depth, "positive and at most medium_depth");
     require(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
-    require(std::isfinite(domain_radius) && domain_radius >= 2 * plastic_zone,
-            "domain_radius", domain_radius, "finite and at least twice plastic_zone");
+    require(domain_radius >= 2 * plastic_zone,
+            "domain_radius",
+            domain_radius,
+            "at least twice plastic_zone");
     require(growth > 1 && growth <= 3, "growth", growth, "above 1 and at most 3");
-    require(std::isfinite(stretch) && stretch > 0, "stretch", stretch, "positive");
+    require(stretch > 0, "stretch", stretch, "positive");
   }
 
   void make_zoned_mesh(const Zones &zones, dealii::Triangulation<2> &mesh)
@@ -111,9 +124,16 @@ namespace dpcontact
       gmsh_session.mesh_into(mesh);
     }
 
-    const auto refine = [&mesh](const double width, const double depth) {
+    // Where a zone is shallower than half a cell, the cells at the surface are still halved.
+    const auto at_surface = [](const auto &cell) {
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && face->boundary_id() == boundary::surface)
+          return true;
+      return false;
+    };
+    const auto refine = [&](const double width, const double depth) {
       for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->center()[0] < width && -cell->center()[1] < depth)
+        if (cell->center()[0] < width && (-cell->center()[1] < depth || at_surface(cell)))
           cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     };

@@ -12,7 +12,9 @@ namespace dpcontact
   /// and depth < `fine_depth` under the contact zone. Between zones stand hanging nodes.
   struct Zones
   {
-    unsigned int resolution    = 20;   ///< elements across the contact radius; all sizes follow it
+    /// Elements across the contact radius, met to the nearest multiple of 8 / contact_zone and at
+    /// least once that; all sizes follow it.
+    unsigned int resolution    = 20;
     unsigned int level         = 0;    ///< uniform refinements on top
     double       contact_zone  = 1.2;  ///< how far the fine surface reaches
     double       plastic_zone  = 2.4;  ///< half side of the square in which the plastic zone is resolved

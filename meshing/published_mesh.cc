@@ -1,0 +1,113 @@
+#include "meshing/published_mesh.h"
+
+#include "meshing/boundary_ids.h"
+#include "meshing/errors.h"
+#include "meshing/gmsh_session.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace dpcontact
+{
+  namespace
+  {
+    void require(const bool holds, const char *name, const double value, const char *range)
+    {
+      if (holds)
+        return;
+      std::ostringstream message;
+      message << "published mesh: " << name << " = " << value << " is out of range; it must be "
+              << range;
+      throw InputError(message.str());
+    }
+
+    /// Ratio of neighbouring layers' thicknesses.
+    double layer_ratio()
+    {
+      return std::pow(PublishedMesh::bottom_size / PublishedMesh::top_size,
+                      1. / (PublishedMesh::layers - 1));
+    }
+  } // namespace
+
+  double PublishedMesh::depth()
+  {
+    const double q = layer_ratio();
+    return (bottom_size * q - top_size) / (q - 1);
+  }
+
+  void PublishedMesh::check() const
+  {
+    require(std::isfinite(outer_radius) && outer_radius >= zone_radius[1] + radial_size[2] &&
+              outer_radius <= sphere_radius,
+            "outer_radius",
+            outer_radius,
+            "from 0.006 m (one element of zone III) to 0.1 m (the sphere's radius)");
+    require(level <= 6, "level", level, "at most 6");
+    require(std::isfinite(unit) && unit > 0, "unit", unit, "positive");
+  }
+
+  void make_published_mesh(const PublishedMesh &published, dealii::Triangulation<2> &mesh)
+  {
+    published.check();
+    const double                depth = PublishedMesh::depth();
+    const std::array<double, 4> radii = {
+      {0, PublishedMesh::zone_radius[0], PublishedMesh::zone_radius[1], published.outer_radius}};
+
+    {
+      const GmshSession gmsh_session;
+      namespace geo = gmsh::model::geo;
+      // Column i of points and lines stands at radii[i]; zone i lies between columns i and i + 1.
+      std::array<int, 4> top, bottom, downwards;
+      std::vector<int>   surfaces, floors, zones;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          top[i]       = geo::addPoint(radii[i], 0, 0);
+          bottom[i]    = geo::addPoint(radii[i], -depth, 0);
+          downwards[i] = geo::addLine(top[i], bottom[i]);
+          geo::mesh::setTransfiniteCurve(downwards[i],
+                                         static_cast<int>(PublishedMesh::layers) + 1,
+                                         "Progression",
+                                         layer_ratio());
+        }
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const int elements =
+            std::max(1,
+                     static_cast<int>(
+                       std::lround((radii[i + 1] - radii[i]) / PublishedMesh::radial_size[i])));
+          surfaces.push_back(geo::addLine(top[i], top[i + 1]));
+          floors.push_back(geo::addLine(bottom[i], bottom[i + 1]));
+          geo::mesh::setTransfiniteCurve(surfaces[i], elements + 1);
+          geo::mesh::setTransfiniteCurve(floors[i], elements + 1);
+          // Counter-clockwise seen with r to the right and y upwards.
+          zones.push_back(geo::addPlaneSurface(
+            {geo::addCurveLoop({downwards[i], floors[i], -downwards[i + 1], -surfaces[i]})}));
+          geo::mesh::setTransfiniteSurface(zones[i]);
+          geo::mesh::setRecombine(2, zones[i]);
+        }
+      geo::synchronize();
+      std::vector<int> far = floors;
+      far.push_back(downwards[3]);
+      gmsh::model::addPhysicalGroup(1, {downwards[0]}, boundary::axis);
+      gmsh::model::addPhysicalGroup(1, surfaces, boundary::surface);
+      gmsh::model::addPhysicalGroup(1, far, boundary::far);
+      gmsh::model::addPhysicalGroup(2, zones, 1);
+      gmsh::model::setPhysicalName(1, boundary::axis, "axis");
+      gmsh::model::setPhysicalName(1, boundary::surface, "surface");
+      gmsh::model::setPhysicalName(1, boundary::far, "far");
+      gmsh_session.mesh_into(mesh);
+    }
+
+    mesh.refine_global(published.level);
+    if (published.unit != 1)
+      dealii::GridTools::scale(1 / published.unit, mesh);
+    check_mesh(mesh);
+  }
+} // namespace dpcontact
