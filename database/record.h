@@ -83,6 +83,7 @@ namespace dpcontact
     double        dissipated_energy_J      = unset;
     double        plastic_strain_max       = unset;
     std::uint64_t apex_points              = 0;
+    double        step_error               = unset;
 
     // what it cost
     std::uint64_t dofs              = 0;

@@ -83,6 +83,10 @@ namespace dpcontact::schema
        "1",
        "converged states at the apex of the cone on the whole path",
        &R::apex_points},
+      {"step_error",
+       "1",
+       "estimated error of F(approach) left by the load step, over the peak force",
+       &R::step_error},
 
       {"a_standard_error", "1", "standard error of a: misfit of the form", &R::a_standard_error},
       {"b_standard_error", "1", "standard error of b: misfit of the form", &R::b_standard_error},

@@ -169,6 +169,7 @@ namespace dpcontact
     row.dissipated_energy_J   = release.dissipated_energy;
     row.plastic_strain_max    = release.plastic_strain_max;
     row.apex_points           = solution.apex_points;
+    row.step_error            = solution.step_error;
 
     row.dofs              = solution.cost.dofs;
     row.steps             = solution.cost.steps;

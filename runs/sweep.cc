@@ -23,7 +23,9 @@ namespace dpcontact
     /// What every row depends on besides its inputs.
     nlohmann::json row_settings(const SolverOptions &options)
     {
-      return nlohmann::json::parse(options_json(options).dump());
+      auto settings              = nlohmann::json::parse(options_json(options).dump());
+      settings["method_version"] = method_version;
+      return settings;
     }
 
     void log(const std::string &message) { std::cerr << "sweep: " << message << std::endl; }

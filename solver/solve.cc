@@ -54,7 +54,6 @@ namespace dpcontact
     /// Contact radius at the peak, from coarse runs on meshes fitted better and better.
     double pilot_contact_radius(const Material      &material,
                                 const Scene         &scene,
-                                const SolverOptions &options,
                                 const FirstYield    &yield,
                                 Cost                &cost,
                                 const StepObserver  &observer)
@@ -63,11 +62,9 @@ namespace dpcontact
                                        hertz::approach(material, scene.radius, scene.force_max));
       if (scene.force_max <= yield.onset_force())
         return a;
-      SolverOptions coarse = options;
-      coarse.resolution    = pilot_resolution;
-      coarse.level         = 0;
-      coarse.mesh_stretch  = 1;
-      coarse.units         = Units::scaled;
+      // Defaults but for the mesh: what is varied in a study must not move the mesh it is studied on.
+      SolverOptions coarse;
+      coarse.resolution = pilot_resolution;
       for (unsigned int k = 0; k < most_pilots; ++k)
         {
           HalfSpaceModel model(material, scene, coarse, a);
@@ -133,7 +130,7 @@ namespace dpcontact
     Solution solution;
     solution.yield = first_yield(material, scene.radius);
     const double mesh_radius =
-      pilot_contact_radius(material, scene, options, solution.yield, solution.cost, observer);
+      pilot_contact_radius(material, scene, solution.yield, solution.cost, observer);
 
     HalfSpaceModel model(material, scene, options, mesh_radius);
     const auto     write = [&](const char *name) {

@@ -12,6 +12,10 @@
 
 namespace dpcontact
 {
+  /// Raised by one with every change that moves computed numbers: rows of different methods do not
+  /// mix in one database.
+  constexpr int method_version = 1;
+
   /// How the impenetrability of the contact is enforced.
   enum class ContactMethod
   {
