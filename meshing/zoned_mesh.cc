@@ -18,7 +18,10 @@ namespace dpcontact
   namespace
   {
     /// Halvings between the blocks that gmsh makes and the cells at the contact.
-    constexpr unsigned int halvings = 3;
+    unsigned int number_of_halvings(const unsigned int resolution)
+    {
+      return std::min(4u, static_cast<unsigned int>(std::log2(resolution)));
+    }
 
     void require(const bool holds, const char *name, const double value, const char *range)
     {
@@ -44,6 +47,7 @@ namespace dpcontact
     const std::pair<const char *, double> lengths[] = {{"contact_zone", contact_zone},
                                                        {"plastic_zone", plastic_zone},
                                                        {"fine_depth", fine_depth},
+                                                       {"surface_depth", surface_depth},
                                                        {"medium_depth", medium_depth},
                                                        {"domain_radius", domain_radius},
                                                        {"growth", growth},
@@ -55,6 +59,7 @@ namespace dpcontact
     require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
     require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
     require(fine_depth > 0 && fine_depth <= medium_depth, "fine_depth", fine_depth, "positive and at most medium_depth");
+    require(surface_depth > 0 && surface_depth <= fine_depth, "surface_depth", surface_depth, "positive and at most fine_depth");
     require(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
     require(domain_radius >= 2 * plastic_zone,
             "domain_radius",
@@ -67,12 +72,14 @@ namespace dpcontact
   void make_zoned_mesh(const Zones &zones, dealii::Triangulation<2> &mesh)
   {
     zones.check();
-    const double c = zones.contact_zone;
-    const double d = zones.domain_radius / std::sqrt(2.);
-    const int    block_cells =
-      std::max(1, static_cast<int>(std::lround(zones.resolution * c / (1 << halvings))));
+    // Whole blocks of cells of size 1/resolution that cover the contact zone.
+    const unsigned int halvings    = number_of_halvings(zones.resolution);
+    const double       block       = static_cast<double>(1u << halvings) / zones.resolution;
+    const int          block_cells = static_cast<int>(std::ceil(zones.contact_zone / block - 1e-9));
+    const double       c           = block_cells * block;
+    const double       d           = zones.domain_radius / std::sqrt(2.);
     // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh.
-    const double growth = std::pow(zones.growth, 20. / zones.resolution);
+    const double growth = std::pow(zones.growth, 40. / zones.resolution);
     const int    rings  = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
 
     {
@@ -137,9 +144,12 @@ namespace dpcontact
           cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     };
-    refine(zones.plastic_zone, zones.plastic_zone);
-    refine(c, zones.medium_depth);
-    refine(c, zones.fine_depth);
+    const std::pair<double, double> sizes[] = {{std::max(c, zones.plastic_zone), zones.plastic_zone},
+                                               {c, zones.medium_depth},
+                                               {c, zones.fine_depth},
+                                               {c, zones.surface_depth}};
+    for (unsigned int zone = 0; zone < halvings; ++zone)
+      refine(sizes[zone].first, sizes[zone].second);
     mesh.refine_global(zones.level);
     if (zones.stretch != 1)
       dealii::GridTools::scale(zones.stretch, mesh);

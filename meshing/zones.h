@@ -8,20 +8,21 @@ namespace dpcontact
   ///
   /// Around the origin lies a square block of side `contact_zone`, meshed by squares; rings graded
   /// geometrically lead from there to a circle of radius `domain_radius`. Cells are halved
-  /// in three nested zones towards the contact: ρ < `plastic_zone`, then depth < `medium_depth`
-  /// and depth < `fine_depth` under the contact zone. Between zones stand hanging nodes.
+  /// in four nested zones towards the contact: the square of half side `plastic_zone`, then under the
+  /// contact zone down to `medium_depth`, `fine_depth` and `surface_depth` (below resolution 16 the
+  /// last ones are left out). Between zones stand hanging nodes. The thin zone at the surface pays
+  /// most: the edge of the contact advances node by node there.
   struct Zones
   {
-    /// Elements across the contact radius, met to the nearest multiple of 8 / contact_zone and at
-    /// least once that; all sizes follow it.
-    unsigned int resolution    = 20;
+    unsigned int resolution    = 40;   ///< elements across the contact radius; all sizes follow it
     unsigned int level         = 0;    ///< uniform refinements on top
-    double       contact_zone  = 1.2;  ///< how far the fine surface reaches
+    double       contact_zone  = 1.2;  ///< how far the fine surface reaches at least
     double       plastic_zone  = 2.4;  ///< half side of the square in which the plastic zone is resolved
     double       medium_depth  = 0.6;
     double       fine_depth    = 0.2;
+    double       surface_depth = 0.1;
     double       domain_radius = 200;
-    double       growth        = 1.4;  ///< ratio of neighbouring ring widths at resolution 20
+    double       growth        = 1.4;  ///< ratio of neighbouring ring widths at resolution 40
     double       stretch       = 1;    ///< multiplies every length (similarity checks)
 
     /// @throws InputError naming the quantity, its value and its range.

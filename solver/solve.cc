@@ -18,7 +18,7 @@ namespace dpcontact
   {
     constexpr unsigned int first_loading_steps   = 16;
     constexpr unsigned int most_loading_steps    = 1024;
-    constexpr unsigned int pilot_resolution      = 8;
+    constexpr unsigned int pilot_resolution      = 16;
     constexpr unsigned int pilot_steps           = 10;
     constexpr unsigned int most_pilots           = 5;
     constexpr double       pilot_accuracy        = 0.04; ///< of the contact radius, relative

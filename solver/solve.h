@@ -33,7 +33,7 @@ namespace dpcontact
   /// Everything that a curve depends on besides material and scene. One source of defaults.
   struct SolverOptions
   {
-    unsigned int  resolution        = 20;    ///< elements across the contact radius at the peak
+    unsigned int  resolution        = 40;    ///< elements across the contact radius at the peak
     unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
     double        domain_radius     = 200;   ///< far boundary, in contact radii
     double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)

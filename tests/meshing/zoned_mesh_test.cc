@@ -21,16 +21,27 @@ namespace
   /// 3e-12 of itself.
   constexpr double gmsh_placement = 1e-11;
 
-  /// Cells along the coarse block's side before its three halvings: the resolution is met to the
-  /// nearest multiple of 8 / contact_zone (6.67 at the default 1.2), and at least once that.
+  /// Halvings of the coarse block's cells: four, fewer where the resolution is below 16.
+  int halvings(const Zones &zones)
+  {
+    return zones.resolution >= 16 ? 4 : zones.resolution >= 8 ? 3 : zones.resolution >= 4 ? 2 : 1;
+  }
+
+  /// Cells along the coarse block's side: as many of size 2^halvings/resolution as cover the zone.
   int block_cells(const Zones &zones)
   {
-    return std::max(1, static_cast<int>(std::lround(zones.resolution * zones.contact_zone / 8)));
+    return static_cast<int>(
+      std::ceil(zones.resolution * zones.contact_zone / std::pow(2, halvings(zones)) - 1e-9));
+  }
+
+  double block_side(const Zones &zones)
+  {
+    return block_cells(zones) * std::pow(2, halvings(zones)) / zones.resolution;
   }
 
   double elements_across(const Zones &zones)
   {
-    return 8 * block_cells(zones) * std::pow(2, zones.level) / zones.contact_zone;
+    return zones.resolution * std::pow(2, zones.level);
   }
 
   class ZonedMesh : public ::testing::TestWithParam<std::tuple<unsigned int, unsigned int>>
@@ -54,10 +65,7 @@ namespace
   {
     const double found = assess(mesh, 1).elements_across_contact;
     EXPECT_NEAR(found, elements_across(zones), gmsh_placement * found);
-    // Half of the rounding unit, or up to one unit where the resolution is below it.
-    const double unit = 8 / zones.contact_zone;
-    EXPECT_LE(std::abs(found / std::pow(2, zones.level) - zones.resolution),
-              zones.resolution < unit ? unit : unit / 2);
+    EXPECT_GE(block_side(zones), zones.contact_zone);
   }
 
   TEST_P(ZonedMesh, has_a_uniform_fine_surface_over_the_contact_zone)
@@ -65,23 +73,24 @@ namespace
     const double size = 1 / elements_across(zones);
     unsigned int fine = 0;
     for (const auto &[inner, outer] : surface_faces(mesh))
-      if ((inner + outer) / 2 < zones.contact_zone)
+      if ((inner + outer) / 2 < block_side(zones))
         {
           ++fine;
           EXPECT_NEAR(outer - inner, size, gmsh_placement * size) << "at r = " << inner;
         }
-    EXPECT_EQ(fine, std::lround(zones.contact_zone / size));
+    EXPECT_EQ(fine, std::lround(block_side(zones) / size));
   }
 
-  TEST_P(ZonedMesh, has_square_cells_down_to_the_fine_depth)
+  TEST_P(ZonedMesh, has_square_cells_down_to_the_depth_of_the_finest_zone)
   {
     const double size = 1 / elements_across(zones);
     // The zone ends at the row of medium cells that is nearest to its depth.
     const double row   = 2 * size * std::pow(2, zones.level);
-    const double depth = row * std::ceil(zones.fine_depth / row - 0.5);
+    const double depths[] = {zones.plastic_zone, zones.medium_depth, zones.fine_depth, zones.surface_depth};
+    const double depth    = row * std::ceil(depths[halvings(zones) - 1] / row - 0.5);
     EXPECT_GE(depth, row);
     for (const auto &cell : mesh.active_cell_iterators())
-      if (cell->center()[0] < zones.contact_zone && -cell->center()[1] < depth)
+      if (cell->center()[0] < block_side(zones) && -cell->center()[1] < depth)
         {
           EXPECT_NEAR(cell->extent_in_direction(0), size, gmsh_placement * size);
           EXPECT_NEAR(cell->extent_in_direction(1), size, gmsh_placement * size);
@@ -116,7 +125,7 @@ namespace
     EXPECT_GE(quality.smallest_scaled_jacobian, std::sqrt(0.5) - 1e-12);
     // Far out a ring's width is (growth - 1) ρ and its inner chord 2 ρ sin(pi / (8 block cells));
     // further in the ratio is smaller. The squares of the block are the other kind of cell.
-    const double growth = std::pow(zones.growth, 20. / zones.resolution);
+    const double growth = std::pow(zones.growth, 40. / zones.resolution);
     EXPECT_LE(quality.largest_aspect_ratio,
               (growth - 1) / (2 * std::sin(dealii::numbers::PI / 8 / block_cells(zones))));
     EXPECT_GE(quality.mean_aspect_ratio, 1);
@@ -180,11 +189,11 @@ namespace
 
   TEST(ZonedMeshRefinement, meets_the_resolution_where_a_zone_is_shallower_than_half_a_cell)
   {
-    Zones zones; // resolution 20
-    zones.fine_depth = 0.01;
+    Zones zones; // resolution 40
+    zones.fine_depth = zones.surface_depth = 0.01;
     Mesh shallow;
     make_zoned_mesh(zones, shallow);
-    EXPECT_NEAR(assess(shallow, 1).elements_across_contact, 20, 1e-10);
+    EXPECT_NEAR(assess(shallow, 1).elements_across_contact, 40, 1e-10);
 
     Zones wide;
     wide.resolution   = 2;
@@ -213,6 +222,7 @@ namespace
       {"contact_zone", [](Zones &z, double v) { z.contact_zone = v; }, {1, 0, -1, 10, nan, inf}},
       {"plastic_zone", [](Zones &z, double v) { z.plastic_zone = v; }, {1.1, -1, nan, inf, -inf}},
       {"fine_depth", [](Zones &z, double v) { z.fine_depth = v; }, {0, -1, 0.7, nan, inf}},
+      {"surface_depth", [](Zones &z, double v) { z.surface_depth = v; }, {0, -1, 0.3, nan, inf}},
       {"medium_depth", [](Zones &z, double v) { z.medium_depth = v; }, {0.1, 1.3, nan, inf}},
       {"domain_radius", [](Zones &z, double v) { z.domain_radius = v; }, {4.7, -200, nan, inf}},
       {"growth", [](Zones &z, double v) { z.growth = v; }, {1, 0.9, 3.1, nan, inf}},
