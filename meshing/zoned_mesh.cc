@@ -78,8 +78,10 @@ namespace dpcontact
     const int          block_cells = static_cast<int>(std::ceil(zones.contact_zone / block - 1e-9));
     const double       c           = block_cells * block;
     const double       d           = zones.domain_radius / std::sqrt(2.);
-    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh.
-    const double growth = std::pow(zones.growth, 40. / zones.resolution);
+    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh; a ratio
+    // above 2 would make slivers of the coarsest.
+    const double growth =
+      std::min(std::max(2., zones.growth), std::pow(zones.growth, 40. / zones.resolution));
     const int    rings  = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
 
     {

@@ -125,7 +125,7 @@ namespace
     EXPECT_GE(quality.smallest_scaled_jacobian, std::sqrt(0.5) - 1e-12);
     // Far out a ring's width is (growth - 1) ρ and its inner chord 2 ρ sin(pi / (8 block cells));
     // further in the ratio is smaller. The squares of the block are the other kind of cell.
-    const double growth = std::pow(zones.growth, 40. / zones.resolution);
+    const double growth = std::min(2., std::pow(zones.growth, 40. / zones.resolution));
     EXPECT_LE(quality.largest_aspect_ratio,
               (growth - 1) / (2 * std::sin(dealii::numbers::PI / 8 / block_cells(zones))));
     EXPECT_GE(quality.mean_aspect_ratio, 1);
@@ -149,7 +149,7 @@ namespace
       return points;
     };
     const auto points = inner_vertices(mesh);
-    EXPECT_GE(points.size(), 4u * 16);
+    EXPECT_GE(points.size(), 40u);
     EXPECT_EQ(points, inner_vertices(wide_mesh));
     EXPECT_NEAR(total_area(wide_mesh), 4 * total_area(mesh), 1e-11 * total_area(wide_mesh));
   }
