@@ -30,7 +30,8 @@ namespace dpcontact
 
   Json options_json(const SolverOptions &used)
   {
-    return {{"resolution", used.resolution},
+    return {{"mesh", to_string(used.mesh)},
+            {"resolution", used.resolution},
             {"level", used.level},
             {"domain-radius", used.domain_radius},
             {"mesh-stretch", used.mesh_stretch},

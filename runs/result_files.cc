@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <sstream>
 #include <unistd.h>
 
 namespace dpcontact
@@ -94,6 +95,9 @@ namespace dpcontact
     write_file(directory / "curve.csv", curve_csv(solution.curve));
     write_file(directory / "profile.csv", profile_csv(solution.peak_profile));
     write_file(directory / "axis.csv", axis_csv(solution.peak_axis));
+    std::ostringstream mesh;
+    print(solution.mesh_quality, mesh);
+    write_file(directory / "mesh.txt", mesh.str());
     write_file(directory / "result.json", document.dump(2) + '\n');
   }
 } // namespace dpcontact

@@ -126,6 +126,11 @@ namespace dpcontact
       return Setting{name, Kind::count, help + " [" + std::to_string(value) + "]"};
     };
     return {
+      Setting{"mesh",
+              Kind::choice,
+              "fitted to the contact, or published: the paper's three zones [fitted]",
+              Dimension::number,
+              {"fitted", "published"}},
       count("resolution", "elements across the contact radius at the peak", defaults.resolution),
       count("level", "uniform refinements of the whole mesh on top", defaults.level),
       number("domain-radius", "far boundary, in contact radii", defaults.domain_radius),
@@ -197,6 +202,7 @@ namespace dpcontact
       if (const auto text = find(texts, name))
         value = parse_quantity(name, *text, Dimension::number);
     };
+    options.mesh = parse_mesh_kind(choose(texts, "mesh", to_string(options.mesh)));
     read_count("resolution", options.resolution);
     read_count("level", options.level);
     read_number("domain-radius", options.domain_radius);

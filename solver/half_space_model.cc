@@ -1,5 +1,7 @@
 #include "solver/half_space_model.h"
 
+#include "meshing/published_mesh.h"
+#include "meshing/quality.h"
 #include "meshing/zoned_mesh.h"
 #include "solver/hertz.h"
 
@@ -20,12 +22,23 @@ namespace dpcontact
     const bool   si = options.units == Units::si;
     unit_system     = si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / scene.radius, E * a / scene.radius};
 
-    Zones zones;
-    zones.resolution    = options.resolution;
-    zones.level         = options.level;
-    zones.domain_radius = options.domain_radius;
-    zones.stretch       = options.mesh_stretch;
-    make_zoned_mesh(zones, triangulation);
+    if (options.mesh == MeshKind::published)
+      {
+        PublishedMesh published;
+        published.level = options.level;
+        published.unit  = a;
+        make_published_mesh(published, triangulation);
+      }
+    else
+      {
+        Zones zones;
+        zones.resolution    = options.resolution;
+        zones.level         = options.level;
+        zones.domain_radius = options.domain_radius;
+        zones.stretch       = options.mesh_stretch;
+        make_zoned_mesh(zones, triangulation);
+      }
+    mesh_quality = assess(triangulation, 1);
     if (si)
       dealii::GridTools::scale(a, triangulation);
 

@@ -49,7 +49,7 @@ namespace dpcontact
     const ContactSystem<2>           &system() const { return *contact_system; }
     const Discretization<2>          &discretization() const { return *space; }
     const LoadPath<2>::Counters      &counters() const { return counted; }
-    const dealii::Triangulation<2>   &mesh() const { return triangulation; }
+    const MeshQuality                &quality() const { return mesh_quality; }
 
   private:
     LoadPath<2> start_path(unsigned int loading_steps, const StepObserver &observer);
@@ -60,6 +60,7 @@ namespace dpcontact
     UnitSystem                         unit_system;
     double                             peak_approach_guess; ///< per sphere, m
     dealii::Triangulation<2>           triangulation;
+    MeshQuality                        mesh_quality;
     std::unique_ptr<Discretization<2>> space;
     std::unique_ptr<ContactSystem<2>>  contact_system;
     LoadPath<2>::Counters              counted;

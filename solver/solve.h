@@ -1,6 +1,8 @@
 #ifndef DPCONTACT_SOLVER_SOLVE_H
 #define DPCONTACT_SOLVER_SOLVE_H
 
+#include "meshing/mesh_kind.h"
+#include "meshing/mesh_quality.h"
 #include "solver/curve.h"
 #include "solver/first_yield.h"
 #include "solver/scene.h"
@@ -33,6 +35,7 @@ namespace dpcontact
   /// Everything that a curve depends on besides material and scene. One source of defaults.
   struct SolverOptions
   {
+    MeshKind      mesh              = MeshKind::fitted;
     unsigned int  resolution        = 40;    ///< elements across the contact radius at the peak
     unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
     double        domain_radius     = 200;   ///< far boundary, in contact radii
@@ -80,6 +83,7 @@ namespace dpcontact
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
     std::vector<AxisPoint>     peak_axis;      ///< stresses on the axis at F_max
     double                     step_error = 0; ///< estimated error of F(δ) in the load step, over F_max
+    MeshQuality                mesh_quality; ///< of the mesh in units of its contact radius
     Cost                       cost;
     unsigned int               apex_points = 0; ///< converged apex states met over the whole path
     std::vector<std::string>   warnings;        ///< e.g. small strain left behind

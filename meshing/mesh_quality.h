@@ -1,0 +1,34 @@
+#ifndef DPCONTACT_MESHING_MESH_QUALITY_H
+#define DPCONTACT_MESHING_MESH_QUALITY_H
+
+#include <iosfwd>
+
+namespace dpcontact
+{
+  /// Figures of a mesh's shape, over its active cells; lengths and areas in the mesh's own unit.
+  ///
+  /// Scaled Jacobian of a cell: the least, over its four corners, of the Jacobian there (the cross
+  /// product of the two edges that meet) divided by the product of the two edges' lengths, so the
+  /// sine of the corner's angle: 1 in a rectangle, 0 where a corner is flat, negative where the
+  /// cell is inverted. Aspect ratio of a cell: its longest edge divided by its shortest.
+  struct MeshQuality
+  {
+    unsigned int n_cells                  = 0;
+    unsigned int n_hanging_nodes          = 0;
+    double       smallest_scaled_jacobian = 0;
+    double       mean_scaled_jacobian     = 0;
+    double       largest_aspect_ratio     = 0;
+    double       mean_aspect_ratio        = 0;
+    double       smallest_cell_area       = 0;
+    double       largest_cell_area        = 0;
+    /// Faces on the surface within the contact radius, the cut one by its fraction inside.
+    double elements_across_contact = 0;
+    /// The far boundary's least distance from the origin, over its vertices.
+    double domain_radius = 0;
+  };
+
+  /// Writes a table for people, one figure a line.
+  void print(const MeshQuality &quality, std::ostream &out);
+} // namespace dpcontact
+
+#endif
