@@ -70,35 +70,48 @@ namespace dpcontact
     if (!enabled)
       return 0;
     double                                 last_touching = 0;
-    std::vector<std::pair<double, double>> open; // (radius, gap)
-    unsigned int                           index = 0;
+    std::vector<std::pair<double, double>> whole; // (mean radius, mean pressure) of faces that touch
+    double                                 element = 0;
+    unsigned int                           index   = 0;
     for (const auto &face : discretization.surface())
-      for (const auto &point : face.points)
-        {
-          const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                             inward(face, point, u) - approach;
-          if (multipliers[index++] - stiffness * gap > 0)
-            last_touching = std::max(last_touching, point.radius);
-          else
-            open.emplace_back(point.radius, std::max(0., gap));
-        }
-    if (last_touching == 0)
-      return 0;
-    std::sort(open.begin(), open.end());
-    auto first = std::find_if(open.begin(), open.end(), [last_touching](const auto &node) {
-      return node.first > last_touching * (1 + 1e-9);
-    });
-    const auto second = std::find_if(first, open.end(), [first](const auto &node) {
-      return node.first > first->first * (1 + 1e-9);
-    });
-    if (second == open.end())
+      {
+        double area = 0, force = 0, moment = 0, inner = face.points.front().radius, outer = inner;
+        bool   touches = true;
+        for (const auto &point : face.points)
+          {
+            const double gap = point.radius * point.radius / (2 * sphere_radius) +
+                               inward(face, point, u) - approach;
+            const double p = multipliers[index++] - stiffness * gap;
+            inner          = std::min(inner, point.radius);
+            outer          = std::max(outer, point.radius);
+            if (point.weight <= 0)
+              continue;
+            area += point.weight;
+            force += point.weight * p;
+            moment += point.weight * point.radius;
+            if (p > 0)
+              last_touching = std::max(last_touching, point.radius);
+            touches = touches && p > 0;
+          }
+        if (touches)
+          whole.emplace_back(moment / area, force / area);
+        if (last_touching >= inner)
+          element = outer - inner;
+      }
+    std::sort(whole.begin(), whole.end());
+    constexpr std::size_t n_faces = 4;
+    if (whole.size() < 2)
       return last_touching;
-    const double g1 = std::pow(first->second, 2. / 3), g2 = std::pow(second->second, 2. / 3);
-    if (!(g2 > g1))
-      return last_touching;
-    return std::clamp(first->first - g1 * (second->first - first->first) / (g2 - g1),
-                      last_touching,
-                      first->first);
+    // Least squares of p² against r² over the outermost faces.
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = whole.size() - std::min(n_faces, whole.size()); i < whole.size(); ++i)
+      {
+        const double rr = whole[i].first * whole[i].first, pp = whole[i].second * whole[i].second;
+        n += 1, x += rr, y += pp, xx += rr * rr, xy += rr * pp;
+      }
+    const double slope = (n * xy - x * y) / (n * xx - x * x);
+    const double edge  = slope < 0 ? std::sqrt((x - y / slope) / n) : last_touching + element;
+    return std::clamp(edge, last_touching, last_touching + element);
   }
 
   template <int dim>

@@ -23,7 +23,7 @@ namespace dpcontact
       double force            = 0; ///< ∫ p dA
       double force_stiffness  = 0; ///< ∂F/∂d at fixed displacements
       double max_pressure     = 0;
-      double max_penetration  = 0; ///< largest −g where p > 0
+      double max_violation    = 0; ///< largest |g| where p > 0
       double       rounding        = 0; ///< residual norm that rounding in ε g cannot go below
       unsigned int active          = 0; ///< nodes with p > 0
     };
@@ -51,8 +51,9 @@ namespace dpcontact
     std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
                                                    double                     approach) const;
 
-    /// Radius of the contact's edge; 0 where nothing touches. It lies between the last node that
-    /// touches and the first that does not, where the gap outside, growing as (r − a)^1.5, closes.
+    /// Radius of the contact's edge; 0 where nothing touches. It lies within one element beyond the last
+    /// node that touches, where the pressure, extrapolated from the last faces that touch wholly,
+    /// vanishes; p² is taken linear in r² as in Hertz.
     double edge_radius(const std::vector<double> &u, double approach) const;
 
     /// Approach at which the plane would first touch the surface displaced by u.
@@ -111,7 +112,7 @@ namespace dpcontact
             ++response.active;
             response.force += p * point.weight;
             response.max_pressure    = std::max(response.max_pressure, p);
-            response.max_penetration = std::max(response.max_penetration, -gap);
+            response.max_violation   = std::max(response.max_violation, std::abs(gap));
             const double k = stiffness * point.weight;
             response.force_stiffness += k;
             // Moving the surface outwards by value[i] raises p by ε value[i].

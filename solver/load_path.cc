@@ -30,7 +30,7 @@ namespace dpcontact
         if (!report.converged)
           return false;
         if (!options.augment || control == Control::released ||
-            system.contact_state().max_penetration <=
+            system.contact_state().max_violation <=
               options.penetration_tolerance * std::abs(system.approach))
           return true;
         system.contact().augment(system.u, system.approach);
