@@ -21,22 +21,17 @@ namespace dpcontact
   }
 
   template <int dim>
-  double Contact<dim>::augment(const std::vector<double> &u, const double approach)
+  void Contact<dim>::augment(const std::vector<double> &u, const double approach)
   {
-    double       violation = 0;
-    unsigned int index     = 0;
+    unsigned int index = 0;
     for (const auto &face : discretization.surface())
       for (const auto &point : face.points)
         {
           const double gap = point.radius * point.radius / (2 * sphere_radius) +
                              inward(face, point, u) - approach;
-          double &multiplier = multipliers[index++];
-          const double p     = std::max(0., multiplier - stiffness * gap);
-          if (p > 0 || multiplier > 0)
-            violation = std::max(violation, std::abs(p > 0 ? gap : multiplier / stiffness));
-          multiplier = p;
+          multipliers[index] = std::max(0., multipliers[index] - stiffness * gap);
+          ++index;
         }
-    return violation;
   }
 
   template <int dim>

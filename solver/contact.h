@@ -41,8 +41,8 @@ namespace dpcontact
                       std::vector<double>       &approach_derivative,
                       const AddStiffness        &add_stiffness) const;
 
-    /// λ ← ⟨λ − ε g⟩. @return the largest gap violation (penetration, or |g| where λ > 0 opened).
-    double augment(const std::vector<double> &u, double approach);
+    /// λ ← ⟨λ − ε g⟩.
+    void augment(const std::vector<double> &u, double approach);
 
     /// Switches all contact off (release) or on.
     void set_active(bool active) { enabled = active; }

@@ -25,6 +25,7 @@ namespace dpcontact
     {
       cholmod_start(&common);
       common.print            = 0;
+      common.final_ll         = 1; // LDLᵀ would take negative pivots without a word
       common.quick_return_if_not_posdef = 1;
     }
     ~Workspace()

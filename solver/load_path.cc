@@ -57,6 +57,11 @@ namespace dpcontact
         const double target = force_of(next);
         const auto   saved  = system.snapshot();
 
+        // From no contact at all: Hertz's δ ∝ τ², and at least what lets a node touch.
+        if (level == 0)
+          system.approach =
+            system.contact().bearing_approach(system.u) + approach_guess * next * next;
+
         // Predictor: the secant in the force's own parameter, where there is one.
         const double now = system.force();
         if (has_previous && target > 0)
@@ -146,7 +151,7 @@ namespace dpcontact
 
     const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };
     const double n      = options.loading_steps;
-    system.approach     = system.contact().bearing_approach(system.u) + peak_approach_guess / (n * n);
+    approach_guess      = peak_approach_guess;
     for (unsigned int i = 0; i < options.loading_steps; ++i)
       {
         advance("loading", force_of, i / n, (i + 1) / n);

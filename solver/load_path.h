@@ -65,6 +65,7 @@ namespace dpcontact
     Counters            count;
     NewtonReport        report;
     double              peak_force     = 0;
+    double              approach_guess = 0; ///< at the peak
     double              dissipated     = 0;
     int                 iterations_of_point = 0;
     double              last_force = 0; ///< force of the converged state before the present one

@@ -166,10 +166,13 @@ namespace dpcontact
         solution.apex_points = model.counters().apex_points;
         solution.step_error  = share_after_extrapolation * step_difference(coarse, fine);
         if (solution.step_error <= options.step_tolerance)
-          {
-            solution.curve = extrapolate_steps(coarse, fine);
-            break;
-          }
+          try
+            {
+              solution.curve = extrapolate_steps(coarse, fine);
+              break;
+            }
+          catch (const StepsTooLarge &)
+            {} // within the tolerance, but not yet a curve: halve the steps once more
         if (2 * steps > most_loading_steps)
           {
             std::ostringstream message;

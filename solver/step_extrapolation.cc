@@ -35,7 +35,7 @@ namespace dpcontact
       const double direction = fine.back().force > fine.front().force ? 1 : -1;
       for (std::size_t i = 1; i < result.size(); ++i)
         if (!(direction * (result[i].approach - result[i - 1].approach) > 0))
-          throw SolverError("step extrapolation: the extrapolated approach is not monotone; the load "
+          throw StepsTooLarge("step extrapolation: the extrapolated approach is not monotone; the load "
                             "steps are too large");
       return result;
     }
