@@ -3,7 +3,7 @@
 
 namespace dpcontact
 {
-  /// Starts what the solver's libraries need once a process (gmsh, threads) and ends it. Keep one
+  /// Keeps the solver's libraries to one thread a process. Keep one
   /// alive while solving. Construct it after any fork, never before.
   class Environment
   {
