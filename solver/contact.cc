@@ -13,6 +13,7 @@ namespace dpcontact
     : discretization(discretization_)
     , sphere_radius(radius)
     , stiffness(stiffness_)
+    , n_evaluated(static_cast<unsigned int>(discretization_.surface().size()))
   {
     std::size_t n = 0;
     for (const auto &face : discretization.surface())
@@ -32,6 +33,24 @@ namespace dpcontact
           multipliers[index] = std::max(0., multipliers[index] - stiffness * gap);
           ++index;
         }
+  }
+
+  template <int dim>
+  bool Contact<dim>::touches_beyond(const std::vector<double> &u, const double approach) const
+  {
+    if (!enabled)
+      return false;
+    const auto  &faces = discretization.surface();
+    unsigned int index = 0;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (const auto &point : faces[f].points)
+        {
+          const double gap = point.radius * point.radius / (2 * sphere_radius) +
+                             inward(faces[f], point, u) - approach;
+          if (multipliers[index++] - stiffness * gap > 0 && f >= n_evaluated)
+            return true;
+        }
+    return false;
   }
 
   template <int dim>

@@ -47,6 +47,12 @@ namespace dpcontact
     /// Switches all contact off (release) or on.
     void set_active(bool active) { enabled = active; }
 
+    /// evaluate() looks at the first `n_faces` of the surface only.
+    void limit_to(unsigned int n_faces) { n_evaluated = n_faces; }
+
+    /// Whether a face that evaluate() does not look at touches.
+    bool touches_beyond(const std::vector<double> &u, double approach) const;
+
     /// Mean pressure on every face of the surface, from the axis outwards: (mean radius, p).
     std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
                                                    double                     approach) const;
@@ -55,6 +61,9 @@ namespace dpcontact
     /// node that touches, where the pressure, extrapolated from the last faces that touch wholly,
     /// vanishes; p² is taken linear in r² as in Hertz.
     double edge_radius(const std::vector<double> &u, double approach) const;
+
+    /// Contact radius of an elastic sphere at this approach of the plane (Hertz): √(R d).
+    double hertz_radius(double approach) const { return std::sqrt(sphere_radius * approach); }
 
     /// Approach at which the plane would first touch the surface displaced by u.
     double touching_approach(const std::vector<double> &u) const;
@@ -81,6 +90,7 @@ namespace dpcontact
     double                     sphere_radius;
     double                     stiffness;
     bool                       enabled = true;
+    unsigned int               n_evaluated;
   };
 
   template <int dim>
@@ -98,7 +108,7 @@ namespace dpcontact
     const auto  &faces = discretization.surface();
     if (!enabled)
       return response;
-    for (unsigned int f = 0; f < faces.size(); ++f)
+    for (unsigned int f = 0; f < n_evaluated; ++f)
       {
         const auto &face = faces[f];
         for (const auto &point : face.points)

@@ -2,74 +2,118 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace dpcontact
 {
   using laws::DruckerPrager;
 
+  namespace
+  {
+    constexpr double core_growth = 1.6;  ///< ratio of the radii of successive cores
+    constexpr double core_margin = 0.85; ///< share of a core's radius that may be used before it grows
+  } // namespace
+
   template <int dim>
   ContactSystem<dim>::ContactSystem(const Discretization<dim> &discretization,
                                     const DruckerPrager       &law_,
                                     const double               radius,
-                                    const double               penalty_stiffness)
+                                    const double               penalty_stiffness,
+                                    const bool                 condensed)
     : u(discretization.n_free(), 0.)
     , space(discretization)
     , law(law_)
     , contact_condition(discretization, radius, penalty_stiffness)
     , rhs(discretization.n_free())
     , approach_derivative(discretization.n_free())
+    , step(discretization.n_free())
+    , step_per_approach(discretization.n_free())
   {
     std::size_t n_points = 0;
+    double      largest  = 0;
     for (const auto &cell : space.cells())
-      n_points += cell.points.size();
+      {
+        first_point.push_back(static_cast<unsigned int>(n_points));
+        n_points += cell.points.size();
+        for (const auto &point : cell.points)
+          largest = std::max(largest, point.position.norm());
+      }
     history.resize(n_points);
     trial.resize(n_points);
     accumulated.resize(n_points, 0.);
     branch.resize(n_points, DruckerPrager::Branch::elastic);
     stress.resize(n_points);
     tangents.resize(n_points);
-    build_pattern();
     build_elastic_stiffness();
-    solver = std::make_unique<CholeskySolver>(matrix);
+
+    if (condensed)
+      {
+        // From the first few elements at the axis to half of the body; what is larger is the whole.
+        double first = 0;
+        for (unsigned int f = 0; f < std::min<std::size_t>(3, space.surface().size()); ++f)
+          for (const auto &point : space.surface()[f].points)
+            first = std::max(first, point.radius);
+        for (double r = 1.5 * first; r < largest / 2; r *= core_growth)
+          core_radii.push_back(r);
+      }
+    core_radii.push_back(std::numeric_limits<double>::infinity());
+    cores.resize(core_radii.size());
+    use_core(0);
   }
 
   template <int dim>
-  void ContactSystem<dim>::build_pattern()
+  void ContactSystem<dim>::use_core(const std::size_t stage_)
   {
-    std::vector<std::set<int>> columns(space.n_free());
-    const auto couple = [&columns](const std::vector<unsigned int> &unknowns) {
-      for (const unsigned int i : unknowns)
-        for (const unsigned int j : unknowns)
-          if (i <= j)
-            columns[j].insert(static_cast<int>(i));
-    };
-    for (const auto &cell : space.cells())
-      couple(cell.unknowns);
-    for (const auto &face : space.surface())
-      couple(face.unknowns);
-    columns[space.far_unknown()].insert(static_cast<int>(space.far_unknown()));
+    stage = stage_;
+    if (!cores[stage])
+      cores[stage] = std::make_unique<Core<dim>>(space, elastic_blocks, core_radii[stage]);
+    core = cores[stage].get();
+    contact_condition.limit_to(core->n_faces);
+  }
 
-    matrix.column_start.assign(1, 0);
-    for (const auto &column : columns)
+  template <int dim>
+  void ContactSystem<dim>::grow()
+  {
+    use_core(stage + 1);
+  }
+
+  template <int dim>
+  bool ContactSystem<dim>::complete()
+  {
+    if (core->whole())
+      return true;
+    core->recover(u);
+    if (contact_condition.touches_beyond(u, approach))
+      return false;
+    for (const unsigned int c : core->outside)
       {
-        matrix.row.insert(matrix.row.end(), column.begin(), column.end());
-        matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
+        evaluate_points(c);
+        for (std::size_t q = 0; q < space.cells()[c].points.size(); ++q)
+          if (branch[first_point[c] + q] != DruckerPrager::Branch::elastic)
+            return false;
       }
-    matrix.value.assign(matrix.row.size(), 0.);
+    return true;
+  }
 
-    const auto positions = [this](const std::vector<unsigned int> &unknowns) {
-      std::vector<int> result;
-      for (unsigned int i = 0; i < unknowns.size(); ++i)
-        for (unsigned int j = i; j < unknowns.size(); ++j)
-          result.push_back(matrix.position(unknowns[i], unknowns[j]));
-      return result;
-    };
-    for (const auto &cell : space.cells())
-      cell_positions.push_back(positions(cell.unknowns));
-    for (const auto &face : space.surface())
-      surface_positions.push_back(positions(face.unknowns));
-    far_position = matrix.position(space.far_unknown(), space.far_unknown());
+  template <int dim>
+  double ContactSystem<dim>::reach() const
+  {
+    double result = contact_condition.edge_radius(u, approach);
+    for (const unsigned int c : core->cells)
+      for (std::size_t q = 0; q < space.cells()[c].points.size(); ++q)
+        if (branch[first_point[c] + q] != DruckerPrager::Branch::elastic)
+          result = std::max(result, space.cells()[c].points[q].position.norm());
+    return result;
+  }
+
+  template <int dim>
+  void ContactSystem<dim>::cover(const double distance)
+  {
+    std::size_t next = stage;
+    while (distance > core_margin * core_radii[next])
+      ++next;
+    if (next != stage)
+      use_core(next);
   }
 
   template <int dim>
@@ -143,50 +187,69 @@ namespace dpcontact
     restrict_tangent<dim>(law.evaluate(State(), laws::StressTensor()).tangent, elastic);
     elastic_blocks.resize(space.cells().size());
     for (std::size_t c = 0; c < space.cells().size(); ++c)
-      {
-        cell_block(
-          space.cells()[c],
-          [&elastic](unsigned int) -> const TangentMatrix & { return elastic; },
-          elastic_blocks[c]);
-        for (std::size_t k = 0; k < elastic_blocks[c].size(); ++k)
-          matrix.value[cell_positions[c][k]] += elastic_blocks[c][k];
-      }
-    matrix.value[far_position] += space.exterior_stiffness();
-    elastic_values = matrix.value;
+      cell_block(
+        space.cells()[c],
+        [&elastic](unsigned int) -> const TangentMatrix & { return elastic; },
+        elastic_blocks[c]);
     elastic_tangent = elastic;
   }
 
   template <int dim>
   void ContactSystem<dim>::assemble_tangent()
   {
-    matrix.value = elastic_values;
+    std::vector<double> &values = core->matrix.value;
+    values                      = core->elastic_values;
     std::vector<double> block;
-    std::size_t         first = 0;
-    for (std::size_t c = 0; c < space.cells().size(); ++c)
+    for (std::size_t k = 0; k < core->cells.size(); ++k)
       {
-        const auto &cell     = space.cells()[c];
-        const auto  is_plastic = [&](const std::size_t q) {
+        const unsigned int c          = core->cells[k];
+        const auto        &cell       = space.cells()[c];
+        const std::size_t  first      = first_point[c];
+        const auto         is_plastic = [&](const std::size_t q) {
           return branch[first + q] != DruckerPrager::Branch::elastic;
         };
         bool plastic = false;
         for (std::size_t q = 0; q < cell.points.size(); ++q)
           plastic = plastic || is_plastic(q);
-        if (plastic)
-          {
-            cell_block(
-              cell,
-              [&](const unsigned int q) -> const TangentMatrix & {
-                return is_plastic(q) ? tangents[first + q] : elastic_tangent;
-              },
-              block);
-            for (std::size_t k = 0; k < block.size(); ++k)
-              matrix.value[cell_positions[c][k]] += block[k] - elastic_blocks[c][k];
-          }
-        first += cell.points.size();
+        if (!plastic)
+          continue;
+        cell_block(
+          cell,
+          [&](const unsigned int q) -> const TangentMatrix & {
+            return is_plastic(q) ? tangents[first + q] : elastic_tangent;
+          },
+          block);
+        for (std::size_t e = 0; e < block.size(); ++e)
+          values[core->cell_positions[k][e]] += block[e] - elastic_blocks[c][e];
       }
-    for (const auto &[face, values] : contact_blocks)
-      for (std::size_t k = 0; k < values.size(); ++k)
-        matrix.value[surface_positions[face][k]] += values[k];
+    for (const auto &[face, contact_values] : contact_blocks)
+      for (std::size_t e = 0; e < contact_values.size(); ++e)
+        values[core->surface_positions[face][e]] += contact_values[e];
+  }
+
+  template <int dim>
+  void ContactSystem<dim>::evaluate_points(const unsigned int c)
+  {
+    constexpr unsigned int n_strains = Kinematics<dim>::n_strains;
+    const auto            &cell      = space.cells()[c];
+    std::size_t            index     = first_point[c];
+    for (const auto &point : cell.points)
+      {
+        std::array<double, n_strains> strain{};
+        for (std::size_t i = 0; i < cell.unknowns.size(); ++i)
+          {
+            const double value = u[cell.unknowns[i]];
+            for (unsigned int s = 0; s < n_strains; ++s)
+              strain[s] += value * point.strain[i][s];
+          }
+        const auto response = law.evaluate(history[index], strain_tensor<dim>(strain));
+        trial[index]        = response.state;
+        branch[index]       = response.branch;
+        stress[index]       = response.stress;
+        if (response.branch != DruckerPrager::Branch::elastic)
+          restrict_tangent<dim>(response.tangent, tangents[index]);
+        ++index;
+      }
   }
 
   template <int dim>
@@ -196,41 +259,29 @@ namespace dpcontact
     std::fill(rhs.begin(), rhs.end(), 0.);
     std::fill(approach_derivative.begin(), approach_derivative.end(), 0.);
 
-    std::vector<double> local, force;
-    std::size_t         index = 0;
-    for (const auto &cell : space.cells())
+    for (const unsigned int c : core->cells)
       {
-        const std::size_t n = cell.unknowns.size();
-        local.resize(n);
-        force.assign(n, 0.);
-        for (std::size_t i = 0; i < n; ++i)
-          local[i] = u[cell.unknowns[i]];
-        for (const auto &point : cell.points)
+        evaluate_points(c);
+        const auto &cell = space.cells()[c];
+        for (std::size_t q = 0; q < cell.points.size(); ++q)
           {
-            std::array<double, n_strains> strain{}, sigma;
-            for (std::size_t i = 0; i < n; ++i)
-              for (unsigned int s = 0; s < n_strains; ++s)
-                strain[s] += local[i] * point.strain[i][s];
-            const auto response = law.evaluate(history[index], strain_tensor<dim>(strain));
-            trial[index]        = response.state;
-            branch[index]       = response.branch;
-            stress[index]       = response.stress;
-            if (response.branch != DruckerPrager::Branch::elastic)
-              restrict_tangent<dim>(response.tangent, tangents[index]);
-            ++index;
-
+            const auto                   &point = cell.points[q];
+            std::array<double, n_strains> sigma;
             for (unsigned int s = 0; s < n_strains; ++s)
               {
                 const auto [i, j] = Kinematics<dim>::positions[s];
-                sigma[s]          = point.weight * response.stress[i][j];
+                sigma[s]          = point.weight * stress[first_point[c] + q][i][j];
               }
-            for (std::size_t i = 0; i < n; ++i)
-              for (unsigned int s = 0; s < n_strains; ++s)
-                force[i] += point.strain[i][s] * sigma[s];
+            for (std::size_t i = 0; i < cell.unknowns.size(); ++i)
+              {
+                double force = 0;
+                for (unsigned int s = 0; s < n_strains; ++s)
+                  force += point.strain[i][s] * sigma[s];
+                rhs[cell.unknowns[i]] += force;
+              }
           }
-        for (std::size_t i = 0; i < n; ++i)
-          rhs[cell.unknowns[i]] += force[i];
       }
+    core->add_exterior_force(u, rhs);
 
     contact_blocks.clear();
     contact_response = contact_condition.evaluate(
@@ -240,13 +291,12 @@ namespace dpcontact
       approach_derivative,
       [this](const unsigned int face, const std::vector<double> &value, const double k) {
         if (contact_blocks.empty() || contact_blocks.back().first != face)
-          contact_blocks.emplace_back(face, std::vector<double>(surface_positions[face].size()));
+          contact_blocks.emplace_back(face, std::vector<double>(core->surface_positions[face].size()));
         double *entry = contact_blocks.back().second.data();
         for (std::size_t i = 0; i < value.size(); ++i)
           for (std::size_t j = i; j < value.size(); ++j, ++entry)
             *entry += k * value[i] * value[j];
       });
-    rhs[space.far_unknown()] += space.exterior_stiffness() * u[space.far_unknown()];
 
     double square = 0;
     for (const double r : rhs)
@@ -260,16 +310,14 @@ namespace dpcontact
   bool ContactSystem<dim>::correction()
   {
     assemble_tangent();
-    if (!solver->factorize(matrix))
+    if (!core->solver->factorize(core->matrix))
       return false;
-    std::vector<double> negative(rhs.size());
-    std::transform(rhs.begin(), rhs.end(), negative.begin(), [](const double r) { return -r; });
-    solver->solve(negative, step);
+    solve(rhs, -1, step);
     approach_step = 0;
     if (control == Control::force)
       {
         // [K  r_d; r_dᵀ F_d] [Δu; Δd] = [−r; F* − F], by elimination of Δu.
-        solver->solve(approach_derivative, step_per_approach);
+        solve(approach_derivative, 1, step_per_approach);
         double along = 0, stiffness = contact_response.force_stiffness;
         for (std::size_t i = 0; i < step.size(); ++i)
           {
@@ -283,6 +331,19 @@ namespace dpcontact
           step[i] -= approach_step * step_per_approach[i];
       }
     return true;
+  }
+
+  template <int dim>
+  void ContactSystem<dim>::solve(const std::vector<double> &b, const double factor, std::vector<double> &x)
+  {
+    const auto &unknowns = core->unknowns;
+    core_rhs.resize(unknowns.size());
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      core_rhs[i] = factor * b[unknowns[i]];
+    core->solver->solve(core_rhs, core_solution);
+    std::fill(x.begin(), x.end(), 0.);
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      x[unknowns[i]] = core_solution[i];
   }
 
   template <int dim>
@@ -322,6 +383,7 @@ namespace dpcontact
     std::fill(contact_condition.multipliers.begin(), contact_condition.multipliers.end(), 0.);
     std::fill(history.begin(), history.end(), State());
     std::fill(accumulated.begin(), accumulated.end(), 0.);
+    use_core(0);
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_CONTACT_SYSTEM_H
 
 #include "solver/contact.h"
+#include "solver/core.h"
 #include "solver/discretization.h"
 #include "solver/laws/drucker_prager.h"
 #include "solver/linear_solver.h"
@@ -50,10 +51,23 @@ namespace dpcontact
       double       largest_yield_excess = 0; ///< max f/k over the points
     };
 
+    /// @param condensed solve for a core that grows with contact and plastic zone (core.h), the rest
+    /// condensed; otherwise for the whole body.
     ContactSystem(const Discretization<dim>  &discretization,
                   const laws::DruckerPrager  &law,
                   double                      radius,
-                  double                      penalty_stiffness);
+                  double                      penalty_stiffness,
+                  bool                        condensed = false);
+
+    /// To be called on a converged step before commit(): brings what lies outside the core to
+    /// equilibrium. @return false where it yields or touches there: then the core must grow() and
+    /// the step be done again.
+    bool complete();
+    void grow();
+    /// Distance from the centre of the contact to which it or plastic flow reach.
+    double reach() const;
+    /// Grows the core until `distance` lies well within it.
+    void cover(double distance);
 
     void set_control(Control control, double target, double residual_scale);
 
@@ -69,7 +83,7 @@ namespace dpcontact
     const SymmetricMatrix     &tangent()
     {
       assemble_tangent();
-      return matrix;
+      return core->matrix;
     }
     /// ∂(residual)/∂d = ∂F/∂u at the iterate last evaluated.
     const std::vector<double> &residual_by_approach() const { return approach_derivative; }
@@ -98,9 +112,11 @@ namespace dpcontact
     const laws::DruckerPrager             &material() const { return law; }
 
   private:
-    void build_pattern();
     void build_elastic_stiffness();
     void assemble_tangent();
+    void use_core(std::size_t stage);
+    /// The law at the points of a cell, from the iterate's strains.
+    void evaluate_points(unsigned int cell);
     /// Upper triangle, row by row, of ∫ Bᵀ D B of a cell; `tangent(q)` is D of its point q.
     template <class TangentOfPoint>
     void cell_block(const typename Discretization<dim>::Cell &cell,
@@ -119,19 +135,22 @@ namespace dpcontact
     using TangentMatrix =
       std::array<std::array<double, Kinematics<dim>::n_strains>, Kinematics<dim>::n_strains>;
 
-    SymmetricMatrix                 matrix;
-    TangentMatrix                   elastic_tangent{};
-    std::vector<double>             elastic_values;    ///< of `matrix`, without plasticity and contact
-    std::vector<std::vector<double>> elastic_blocks;   ///< of every cell
-    std::vector<TangentMatrix>      tangents;          ///< of the points off the elastic branch
-    std::vector<std::pair<unsigned int, std::vector<double>>> contact_blocks; ///< (surface face, block)
-    std::vector<std::vector<int>>   cell_positions;    ///< upper triangle of each cell's block
-    std::vector<std::vector<int>>   surface_positions; ///< likewise of each surface face
-    int                             far_position = 0;
-    std::unique_ptr<CholeskySolver> solver;
+    std::vector<double>              core_radii; ///< of the cores, growing
+    std::vector<std::unique_ptr<Core<dim>>> cores; ///< made when they are first needed
+    std::size_t                      stage = 0;
+    Core<dim>                       *core  = nullptr; ///< the present one
 
+    TangentMatrix                    elastic_tangent{};
+    std::vector<std::vector<double>> elastic_blocks; ///< of every cell
+    std::vector<unsigned int>        first_point;    ///< of every cell
+    std::vector<TangentMatrix>       tangents;       ///< of the points off the elastic branch
+    std::vector<std::pair<unsigned int, std::vector<double>>> contact_blocks; ///< (surface face, block)
+
+    // Over all free unknowns; zero outside the core.
     std::vector<double> rhs, approach_derivative;
     std::vector<double> step, step_per_approach;
+    void                solve(const std::vector<double> &b, double factor, std::vector<double> &x);
+    std::vector<double> core_rhs, core_solution;
     double              approach_step = 0;
 
     std::vector<State>                        history, trial;

@@ -233,6 +233,7 @@ namespace dpcontact
               }
           const Expansion expansion = expand(normal_dofs);
           SurfaceFace     face;
+          face.cell     = cell->active_cell_index();
           face.unknowns = expansion.unknowns;
           for (const unsigned int q : values.quadrature_point_indices())
             {

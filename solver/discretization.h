@@ -48,7 +48,6 @@ namespace dpcontact
       std::vector<QuadraturePoint> points;
     };
 
-  
     /// A quadrature point of the surface: the inward displacement is −Σ value[i] u[unknowns[i]].
     /// The points are the face's nodes (Gauss–Lobatto): then every pressure has a nodal force of its
     /// own, whereas Gauss points leave patterns of pressure that no node feels, and that drift.
@@ -61,6 +60,7 @@ namespace dpcontact
 
     struct SurfaceFace
     {
+      unsigned int              cell; ///< index of its cell
       std::vector<unsigned int> unknowns;
       std::vector<SurfacePoint> points;
     };

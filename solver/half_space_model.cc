@@ -58,7 +58,8 @@ namespace dpcontact
       std::make_unique<ContactSystem<2>>(*space,
                                          law,
                                          si ? scene.radius : 1.,
-                                         options.penalty_stiffness * (si ? E / a : 1.));
+                                         options.penalty_stiffness * (si ? E / a : 1.),
+                                         options.condensation);
   }
 
   LoadPath<2> HalfSpaceModel::start_path(const unsigned int  loading_steps,

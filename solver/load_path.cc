@@ -59,8 +59,13 @@ namespace dpcontact
 
         // From no contact at all: Hertz's δ ∝ τ², and at least what lets a node touch.
         if (level == 0)
-          system.approach =
-            system.contact().bearing_approach(system.u) + approach_guess * next * next;
+          {
+            system.approach =
+              system.contact().bearing_approach(system.u) + approach_guess * next * next;
+            system.cover(system.contact().hertz_radius(system.approach));
+          }
+        else if (next > level)
+          system.cover(system.reach() * next / level);
 
         // Predictor: the secant in the force's own parameter, where there is one.
         const double now = system.force();
@@ -79,7 +84,15 @@ namespace dpcontact
               }
           }
 
-        if (try_step(target > 0 ? Control::force : Control::released, target))
+        const bool converged = try_step(target > 0 ? Control::force : Control::released, target);
+        if (converged && !system.complete())
+          {
+            system.restore(saved);
+            system.grow();
+            system.residual(); // the present force, for the predictor
+            continue;
+          }
+        if (converged)
           {
             if (options.augment && target > 0)
               system.contact().augment(system.u, system.approach);

@@ -44,6 +44,7 @@ namespace dpcontact
     ContactMethod contact           = ContactMethod::augmented;
     double        penalty_stiffness = 1e5;   ///< in units of E/a
     Units         units             = Units::scaled;
+    bool          condensation      = true;  ///< solve for the part that yields or touches (core.h)
 
     /// @throws InputError naming the option, its value and its range.
     void check() const;

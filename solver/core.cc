@@ -1,0 +1,226 @@
+#include "solver/core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace dpcontact
+{
+  namespace
+  {
+    constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+    /// A matrix of zeros with the given rows in each column.
+    SymmetricMatrix make_matrix(const std::vector<std::set<int>> &columns)
+    {
+      SymmetricMatrix matrix;
+      matrix.column_start.assign(1, 0);
+      for (const auto &column : columns)
+        {
+          matrix.row.insert(matrix.row.end(), column.begin(), column.end());
+          matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
+        }
+      matrix.value.assign(matrix.row.size(), 0.);
+      return matrix;
+    }
+
+    /// Couples all pairs of the unknowns that `index` knows.
+    void couple(const std::vector<unsigned int> &unknowns,
+                const std::vector<unsigned int> &index,
+                std::vector<std::set<int>>      &columns)
+    {
+      for (const unsigned int i : unknowns)
+        for (const unsigned int j : unknowns)
+          if (index[i] != none && index[j] != none && index[i] <= index[j])
+            columns[index[j]].insert(static_cast<int>(index[i]));
+    }
+
+    template <int dim>
+    dealii::Point<dim> centre(const typename Discretization<dim>::Cell &cell)
+    {
+      dealii::Point<dim> sum;
+      for (const auto &point : cell.points)
+        sum += point.position;
+      return sum / static_cast<double>(cell.points.size());
+    }
+
+    /// Position of each listed unknown in the list.
+    std::vector<unsigned int> inverse(const std::vector<unsigned int> &list, const unsigned int n)
+    {
+      std::vector<unsigned int> index(n, none);
+      for (unsigned int k = 0; k < list.size(); ++k)
+        index[list[k]] = k;
+      return index;
+    }
+  } // namespace
+
+  template <int dim>
+  Core<dim>::Core(const Discretization<dim>              &space,
+                  const std::vector<std::vector<double>> &elastic_blocks,
+                  const double                            radius_)
+    : radius(radius_)
+    , n_faces(0)
+    , far_unknown(space.far_unknown())
+  {
+    std::vector<bool> in_core(space.cells().size());
+    for (unsigned int c = 0; c < in_core.size(); ++c)
+      {
+        in_core[c] = centre<dim>(space.cells()[c]).norm() <= radius;
+        (in_core[c] ? cells : outside).push_back(c);
+      }
+    std::vector<bool> touched_inside(space.n_free(), false), touched_outside(space.n_free(), false);
+    for (unsigned int c = 0; c < in_core.size(); ++c)
+      for (const unsigned int i : space.cells()[c].unknowns)
+        (in_core[c] ? touched_inside : touched_outside)[i] = true;
+    for (unsigned int i = 0; i < space.n_free(); ++i)
+      {
+        if (touched_inside[i])
+          unknowns.push_back(i);
+        else
+          exterior.push_back(i);
+        if (touched_inside[i] && touched_outside[i])
+          shared.push_back(i);
+      }
+    while (n_faces < space.surface().size() && in_core[space.surface()[n_faces].cell])
+      ++n_faces;
+
+    const std::vector<unsigned int> core_index = inverse(unknowns, space.n_free());
+    build_pattern(space, core_index);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      for (std::size_t e = 0; e < cell_positions[k].size(); ++e)
+        matrix.value[cell_positions[k][e]] += elastic_blocks[cells[k]][e];
+    if (touched_inside[far_unknown])
+      {
+        const unsigned int far = core_index[far_unknown];
+        far_stiffness          = space.exterior_stiffness();
+        matrix.value[matrix.position(far, far)] += far_stiffness;
+      }
+    if (!shared.empty())
+      condense(space, elastic_blocks, core_index);
+    elastic_values = matrix.value;
+    solver         = std::make_unique<CholeskySolver>(matrix);
+  }
+
+  template <int dim>
+  void Core<dim>::build_pattern(const Discretization<dim>       &space,
+                                const std::vector<unsigned int> &core_index)
+  {
+    std::vector<std::set<int>> columns(unknowns.size());
+    for (const unsigned int c : cells)
+      couple(space.cells()[c].unknowns, core_index, columns);
+    for (unsigned int f = 0; f < n_faces; ++f)
+      couple(space.surface()[f].unknowns, core_index, columns);
+    couple(shared, core_index, columns);
+    matrix = make_matrix(columns);
+
+    const auto positions = [&](const std::vector<unsigned int> &of) {
+      std::vector<int> result;
+      for (unsigned int i = 0; i < of.size(); ++i)
+        for (unsigned int j = i; j < of.size(); ++j)
+          result.push_back(matrix.position(core_index[of[i]], core_index[of[j]]));
+      return result;
+    };
+    for (const unsigned int c : cells)
+      cell_positions.push_back(positions(space.cells()[c].unknowns));
+    for (unsigned int f = 0; f < n_faces; ++f)
+      surface_positions.push_back(positions(space.surface()[f].unknowns));
+  }
+
+  template <int dim>
+  void Core<dim>::condense(const Discretization<dim>              &space,
+                           const std::vector<std::vector<double>> &elastic_blocks,
+                           const std::vector<unsigned int>        &core_index)
+  {
+    const std::vector<unsigned int> exterior_index = inverse(exterior, space.n_free());
+    const std::vector<unsigned int> shared_index   = inverse(shared, space.n_free());
+    const std::size_t               n = shared.size(), n_exterior = exterior.size();
+
+    std::vector<std::set<int>> columns(n_exterior);
+    for (const unsigned int c : outside)
+      couple(space.cells()[c].unknowns, exterior_index, columns);
+    SymmetricMatrix     K_EE = make_matrix(columns);
+    std::vector<double> K_EI(n_exterior * n, 0.); // by columns
+    stiffness.assign(n * n, 0.);
+    for (const unsigned int c : outside)
+      {
+        const auto   &of    = space.cells()[c].unknowns;
+        const double *entry = elastic_blocks[c].data();
+        for (std::size_t i = 0; i < of.size(); ++i)
+          for (std::size_t j = i; j < of.size(); ++j, ++entry)
+            {
+              const unsigned int ei = exterior_index[of[i]], ej = exterior_index[of[j]];
+              const unsigned int si = shared_index[of[i]], sj = shared_index[of[j]];
+              if (ei != none && ej != none)
+                K_EE.value[K_EE.position(ei, ej)] += *entry;
+              else if (ei != none)
+                K_EI[sj * n_exterior + ei] += *entry;
+              else if (ej != none)
+                K_EI[si * n_exterior + ej] += *entry;
+              else
+                {
+                  stiffness[si * n + sj] += *entry;
+                  if (i != j)
+                    stiffness[sj * n + si] += *entry;
+                }
+            }
+      }
+    if (exterior_index[far_unknown] != none)
+      {
+        const unsigned int far = exterior_index[far_unknown];
+        K_EE.value[K_EE.position(far, far)] += space.exterior_stiffness();
+      }
+
+    CholeskySolver      elastic(K_EE);
+    const bool          definite = elastic.factorize(K_EE);
+    Assert(definite, dealii::ExcInternalError());
+    (void)definite;
+    recovery.resize(n_exterior * n);
+    std::vector<double> column(n_exterior), solved;
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        std::copy_n(K_EI.begin() + static_cast<std::ptrdiff_t>(j * n_exterior), n_exterior, column.begin());
+        elastic.solve(column, solved);
+        for (std::size_t e = 0; e < n_exterior; ++e)
+          recovery[j * n_exterior + e] = -solved[e];
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i; j < n; ++j)
+        {
+          double product = 0;
+          for (std::size_t e = 0; e < n_exterior; ++e)
+            product += K_EI[i * n_exterior + e] * recovery[j * n_exterior + e];
+          stiffness[i * n + j] += product;
+          stiffness[j * n + i] = stiffness[i * n + j];
+          matrix.value[matrix.position(core_index[shared[i]], core_index[shared[j]])] +=
+            stiffness[i * n + j];
+        }
+  }
+
+  template <int dim>
+  void Core<dim>::add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const
+  {
+    residual[far_unknown] += far_stiffness * u[far_unknown];
+    const std::size_t n = shared.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        double force = 0;
+        for (std::size_t j = 0; j < n; ++j)
+          force += stiffness[i * n + j] * u[shared[j]];
+        residual[shared[i]] += force;
+      }
+  }
+
+  template <int dim>
+  void Core<dim>::recover(std::vector<double> &u) const
+  {
+    const std::size_t n_exterior = exterior.size();
+    for (const unsigned int e : exterior)
+      u[e] = 0;
+    for (std::size_t j = 0; j < shared.size(); ++j)
+      for (std::size_t e = 0; e < n_exterior; ++e)
+        u[exterior[e]] += recovery[j * n_exterior + e] * u[shared[j]];
+  }
+
+  template class Core<2>;
+  template class Core<3>;
+} // namespace dpcontact

@@ -1,0 +1,66 @@
+#ifndef DPCONTACT_SOLVER_CORE_H
+#define DPCONTACT_SOLVER_CORE_H
+
+#include "solver/discretization.h"
+#include "solver/linear_solver.h"
+
+#include <memory>
+#include <vector>
+
+namespace dpcontact
+{
+  /// The part of the body that a step is solved for: the cells within a radius of the contact's centre.
+  ///
+  /// The rest stays elastic and untouched while the core holds (the system checks that after every step),
+  /// so it is condensed statically onto the unknowns that it shares with the core: with the rest's
+  /// stiffness K, E its own unknowns and I the shared ones,
+  ///   S = K_II − K_IE K_EE⁻¹ K_EI,   u_E = −K_EE⁻¹ K_EI u_I.
+  /// The solution is that of the whole body to rounding.
+  template <int dim>
+  class Core
+  {
+  public:
+    /// @param elastic_blocks elastic stiffness of every cell: upper triangle, row by row.
+    /// @param radius in the mesh's unit; infinity: the whole body, nothing is condensed.
+    Core(const Discretization<dim>              &space,
+         const std::vector<std::vector<double>> &elastic_blocks,
+         double                                  radius);
+
+    bool whole() const { return n_shared() == 0; }
+
+    double                    radius;
+    std::vector<unsigned int> cells;    ///< indices of its cells
+    std::vector<unsigned int> outside;  ///< and of the others
+    std::vector<unsigned int> unknowns; ///< free unknown of each of its unknowns, ascending
+    unsigned int              n_faces;  ///< its faces are the first n_faces of the surface
+
+    SymmetricMatrix               matrix;            ///< tangent, over its unknowns
+    std::vector<double>           elastic_values;    ///< of `matrix`, without plasticity and contact
+    std::vector<std::vector<int>> cell_positions;    ///< upper triangle of each of its cells' blocks
+    std::vector<std::vector<int>> surface_positions; ///< likewise of its faces
+    std::unique_ptr<CholeskySolver> solver;          ///< of `matrix`
+
+    /// Adds what the elastic rest resists with to `residual` (over all free unknowns).
+    void add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const;
+
+    /// Sets the rest's own unknowns in `u` to equilibrium.
+    void recover(std::vector<double> &u) const;
+
+  private:
+    std::size_t n_shared() const { return shared.size(); }
+    void        condense(const Discretization<dim>              &space,
+                         const std::vector<std::vector<double>> &elastic_blocks,
+                         const std::vector<unsigned int>        &core_index);
+    void        build_pattern(const Discretization<dim> &space,
+                              const std::vector<unsigned int> &core_index);
+
+    std::vector<unsigned int> shared;    ///< free unknowns that core and rest share
+    std::vector<unsigned int> exterior;  ///< free unknowns of the rest alone
+    std::vector<double>       stiffness; ///< S, n_shared × n_shared, symmetric
+    std::vector<double>       recovery;  ///< −K_EE⁻¹ K_EI by columns: n_exterior × n_shared
+    unsigned int              far_unknown;
+    double                    far_stiffness = 0; ///< on the far unknown, where it is the core's
+  };
+} // namespace dpcontact
+
+#endif
