@@ -52,7 +52,7 @@ namespace dpcontact
 
     ContactSystem(const Discretization<dim>  &discretization,
                   const laws::DruckerPrager  &law,
-                  double                      radius,
+                  const Profile              &profile,
                   double                      penalty_stiffness);
 
     void set_control(Control control, double target, double residual_scale);
