@@ -151,7 +151,8 @@ namespace dpcontact
               {"scaled", "si"}},
       Setting{"surface",
               Kind::choice,
-              "half-space with the gap of a parabola, or the true sphere: parabola or sphere [parabola]",
+              "half-space under a parabola, or the sphere itself (needs domain-radius <= R/a): "
+              "parabola or sphere [parabola]",
               Dimension::number,
               {"parabola", "sphere"}}};
   }

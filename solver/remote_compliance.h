@@ -11,11 +11,12 @@ namespace dpcontact
   //
   // An elastic sphere of contact radius a obeys, to first order in a/R,
   //   δ_sphere − δ_half-space = F [c₀ + c₁ ln(D/a)]/(E R),  c₁ = (1−2ν)²(1+ν)/π (mutual),
-  // D being the distance of the far boundary. The logarithm comes from Boussinesq's membrane stress
-  // ±(1−2ν)F/(2πr²) in the surface layer of thickness r²/2R that the sphere lacks: seen from the
-  // half-space it is a shear traction (1−2ν)F/(4πRr), under which the centre sinks by
-  // (1−2ν)(1+ν)/E ∫ (traction) dr (Johnson, Contact Mechanics, 1985, section 3.6). So the
-  // compliance is that of one contact radius, and falls a little as the contact grows.
+  // D being the distance of the far boundary and c₀ a function of ν and D/R. The logarithm comes
+  // from Boussinesq's stress σ_r = −σ_θ = (1−2ν)F/(2πr²) in the layer r²/2R that the sphere lacks:
+  // the half-space feels an inward shear traction (1−2ν)F/(2πRr), under which the centre sinks by
+  // (1−2ν)(1+ν)/E ∫ (traction) dr (Johnson, Contact Mechanics, 1985, section 3.6). So C belongs to
+  // one contact radius; taken at the peak it leaves c₁ F ln(a_peak/a)/(E R), at most 0.03 (a/R)
+  // δ_peak.
 
   /// Elastic compliance C = (δ_sphere − δ_half-space)/F between the two surfaces, in m/N (mutual
   /// approach), from one elastic solution each on the same mesh, mapped and not, with the same far
