@@ -67,13 +67,18 @@ namespace dpcontact
       throw SolverError("gmsh left triangles in a quadrilateral mesh");
   }
 
-  void check_mesh(const dealii::Triangulation<2> &mesh)
+  namespace
   {
-    const auto where = [](const dealii::Point<2> &p) {
+    std::string where(const dealii::Point<2> &p)
+    {
       std::ostringstream text;
       text << "(r, y) = (" << p[0] << ", " << p[1] << ")";
       return text.str();
-    };
+    }
+  } // namespace
+
+  void check_jacobians(const dealii::Triangulation<2> &mesh)
+  {
     for (const auto &cell : mesh.active_cell_iterators())
       {
         if (!cell->reference_cell().is_hyper_cube())
@@ -89,6 +94,14 @@ namespace dpcontact
               throw SolverError("mesh check: Jacobian not positive in the cell at " +
                                 where(cell->center()));
           }
+      }
+  }
+
+  void check_mesh(const dealii::Triangulation<2> &mesh)
+  {
+    check_jacobians(mesh);
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
             {

@@ -20,6 +20,9 @@ namespace dpcontact
     void mesh_into(dealii::Triangulation<2> &mesh) const;
   };
 
+  /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners.
+  void check_jacobians(const dealii::Triangulation<2> &mesh);
+
   /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners and
   /// every boundary face carries an id of boundary_ids.h that fits where it lies.
   void check_mesh(const dealii::Triangulation<2> &mesh);

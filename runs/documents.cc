@@ -38,7 +38,8 @@ namespace dpcontact
             {"step-tolerance", used.step_tolerance},
             {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
             {"penalty-stiffness", used.penalty_stiffness},
-            {"units", used.units == Units::si ? "si" : "scaled"}};
+            {"units", used.units == Units::si ? "si" : "scaled"},
+            {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
   }
 
   Json fit_json(const Record &row)

@@ -148,7 +148,13 @@ namespace dpcontact
               Kind::choice,
               "units in which the equations are solved: scaled or si [scaled]",
               Dimension::number,
-              {"scaled", "si"}}};
+              {"scaled", "si"}},
+      Setting{"surface",
+              Kind::choice,
+              "half-space under a parabola, or the sphere itself (needs domain-radius <= R/a): "
+              "parabola or sphere [parabola]",
+              Dimension::number,
+              {"parabola", "sphere"}}};
   }
 
   std::vector<Case> read_grid(const SettingTexts &texts)
@@ -212,6 +218,8 @@ namespace dpcontact
     options.contact = choose(texts, "contact", "augmented") == "penalty" ? ContactMethod::penalty
                                                                          : ContactMethod::augmented;
     options.units   = choose(texts, "units", "scaled") == "si" ? Units::si : Units::scaled;
+    options.surface =
+      choose(texts, "surface", "parabola") == "sphere" ? Surface::sphere : Surface::parabola;
     options.check();
     return options;
   }

@@ -8,10 +8,10 @@ namespace dpcontact
 {
   template <int dim>
   Contact<dim>::Contact(const Discretization<dim> &discretization_,
-                        const double               radius,
+                        const Profile             &profile,
                         const double               stiffness_)
     : discretization(discretization_)
-    , sphere_radius(radius)
+    , undeformed(profile)
     , stiffness(stiffness_)
     , n_evaluated(static_cast<unsigned int>(discretization_.surface().size()))
   {
@@ -28,8 +28,7 @@ namespace dpcontact
     for (const auto &face : discretization.surface())
       for (const auto &point : face.points)
         {
-          const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                             inward(face, point, u) - approach;
+          const double gap = gap_at(face, point, u, approach);
           multipliers[index] = std::max(0., multipliers[index] - stiffness * gap);
           ++index;
         }
@@ -45,8 +44,7 @@ namespace dpcontact
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (const auto &point : faces[f].points)
         {
-          const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                             inward(faces[f], point, u) - approach;
+          const double gap = gap_at(faces[f], point, u, approach);
           if (multipliers[index++] - stiffness * gap > 0 && f >= n_evaluated)
             return true;
         }
@@ -64,8 +62,7 @@ namespace dpcontact
         double area = 0, force = 0, moment = 0;
         for (const auto &point : face.points)
           {
-            const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                               inward(face, point, u) - approach;
+            const double gap = gap_at(face, point, u, approach);
             const double p = enabled ? std::max(0., multipliers[index] - stiffness * gap) : 0.;
             ++index;
             area += point.weight;
@@ -93,8 +90,7 @@ namespace dpcontact
         bool   touches = true;
         for (const auto &point : face.points)
           {
-            const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                               inward(face, point, u) - approach;
+            const double gap = gap_at(face, point, u, approach);
             const double p = multipliers[index++] - stiffness * gap;
             inner          = std::min(inner, point.radius);
             outer          = std::max(outer, point.radius);
@@ -135,9 +131,7 @@ namespace dpcontact
     for (const auto &face : discretization.surface())
       for (const auto &point : face.points)
         if (point.weight >= least_weight)
-          result = std::min(result,
-                            point.radius * point.radius / (2 * sphere_radius) +
-                              inward(face, point, u));
+          result = std::min(result, gap_at(face, point, u, 0.));
     return result;
   }
 

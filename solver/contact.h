@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_CONTACT_H
 
 #include "solver/discretization.h"
+#include "solver/profile.h"
 
 #include <cmath>
 #include <limits>
@@ -28,9 +29,9 @@ namespace dpcontact
       unsigned int active          = 0; ///< nodes with p > 0
     };
 
-    /// @param radius of the sphere; the undeformed gap is r²/(2 radius).
+    /// @param profile the undeformed gap h(r).
     /// @param stiffness ε, pressure over length.
-    Contact(const Discretization<dim> &discretization, double radius, double stiffness);
+    Contact(const Discretization<dim> &discretization, const Profile &profile, double stiffness);
 
     /// Adds −∂(work of p)/∂u to `residual`, and where asked ε∫N⊗N to `add_stiffness(face, i, j, k)`
     /// and ∂residual/∂d to `approach_derivative`.
@@ -63,7 +64,7 @@ namespace dpcontact
     double edge_radius(const std::vector<double> &u, double approach) const;
 
     /// Contact radius of an elastic sphere at this approach of the plane (Hertz): √(R d).
-    double hertz_radius(double approach) const { return std::sqrt(sphere_radius * approach); }
+    double hertz_radius(double approach) const { return std::sqrt(undeformed.radius() * approach); }
 
     /// Approach at which the plane would first touch the surface displaced by u.
     double touching_approach(const std::vector<double> &u) const;
@@ -86,8 +87,17 @@ namespace dpcontact
       return w;
     }
 
+    /// g = h(r) + w − d
+    double gap_at(const typename Discretization<dim>::SurfaceFace  &face,
+                  const typename Discretization<dim>::SurfacePoint &point,
+                  const std::vector<double>                        &u,
+                  const double                                      approach) const
+    {
+      return undeformed.gap(point.radius) + inward(face, point, u) - approach;
+    }
+
     const Discretization<dim> &discretization;
-    double                     sphere_radius;
+    Profile                    undeformed;
     double                     stiffness;
     bool                       enabled = true;
     unsigned int               n_evaluated;
@@ -113,8 +123,7 @@ namespace dpcontact
         const auto &face = faces[f];
         for (const auto &point : face.points)
           {
-            const double gap = point.radius * point.radius / (2 * sphere_radius) +
-                               inward(face, point, u) - approach;
+            const double gap = gap_at(face, point, u, approach);
             const double p = multipliers[index++] - stiffness * gap;
             if (p <= 0 || point.weight <= 0) // the node on the axis has no area
               continue;

@@ -17,13 +17,13 @@ namespace dpcontact
   template <int dim>
   ContactSystem<dim>::ContactSystem(const Discretization<dim> &discretization,
                                     const DruckerPrager       &law_,
-                                    const double               radius,
+                                    const Profile             &profile,
                                     const double               penalty_stiffness,
                                     const bool                 condensed)
     : u(discretization.n_free(), 0.)
     , space(discretization)
     , law(law_)
-    , contact_condition(discretization, radius, penalty_stiffness)
+    , contact_condition(discretization, profile, penalty_stiffness)
     , rhs(discretization.n_free())
     , approach_derivative(discretization.n_free())
     , step(discretization.n_free())

@@ -55,7 +55,7 @@ namespace dpcontact
     /// condensed; otherwise for the whole body.
     ContactSystem(const Discretization<dim>  &discretization,
                   const laws::DruckerPrager  &law,
-                  double                      radius,
+                  const Profile              &profile,
                   double                      penalty_stiffness,
                   bool                        condensed = false);
 

@@ -213,7 +213,7 @@ namespace dpcontact
     dealii::FEFaceValues<dim>     values(fe,
                                      quadrature,
                                      dealii::update_values | dealii::update_quadrature_points |
-                                       dealii::update_JxW_values);
+                                       dealii::update_JxW_values | dealii::update_normal_vectors);
     std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -239,8 +239,8 @@ namespace dpcontact
             {
               SurfacePoint point;
               point.radius = radius(values.quadrature_point(q));
-              point.weight =
-                values.JxW(q) * Kinematics<dim>::measure(values.quadrature_point(q));
+              point.weight = values.JxW(q) * values.normal_vector(q)[dim - 1] *
+                             Kinematics<dim>::measure(values.quadrature_point(q));
               point.value.assign(face.unknowns.size(), 0.);
               for (unsigned int i = 0; i < normal_local.size(); ++i)
                 for (const auto &[k, weight] : expansion.terms[i])

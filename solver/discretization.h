@@ -54,7 +54,7 @@ namespace dpcontact
     struct SurfacePoint
     {
       double              radius;
-      double              weight;
+      double              weight; ///< area seen along the axis, on which the pressure acts
       std::vector<double> value; ///< of the normal displacement at unit unknown
     };
 

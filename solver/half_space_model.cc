@@ -2,6 +2,7 @@
 
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
+#include "meshing/sphere_cap.h"
 #include "meshing/zoned_mesh.h"
 #include "solver/hertz.h"
 
@@ -38,6 +39,9 @@ namespace dpcontact
         zones.stretch       = options.mesh_stretch;
         make_zoned_mesh(zones, triangulation);
       }
+    const bool curved = options.surface == Surface::sphere;
+    if (curved)
+      map_to_sphere(scene.radius / a, triangulation);
     mesh_quality = assess(triangulation, 1);
     if (si)
       dealii::GridTools::scale(a, triangulation);
@@ -57,7 +61,8 @@ namespace dpcontact
     contact_system =
       std::make_unique<ContactSystem<2>>(*space,
                                          law,
-                                         si ? scene.radius : 1.,
+                                         Profile(si ? scene.radius : 1.,
+                                                 curved ? (si ? 1 : a) / scene.radius : 0.),
                                          options.penalty_stiffness * (si ? E / a : 1.),
                                          options.condensation);
   }

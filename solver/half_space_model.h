@@ -16,7 +16,8 @@ namespace dpcontact
   ///
   /// Scaled: lengths by the contact radius a, displacements by a²/R, stresses by E a/R, and E, a, R are 1.
   /// Small strain lets lengths and displacements have units of their own; a/R then
-  /// drops out, and only ν, φ and the load level stay.
+  /// drops out, and only ν, φ and the load level stay. A sphere's surface brings a/R back, as the
+  /// curvature of the mesh and in the gap, and nowhere else.
   struct UnitSystem
   {
     double length, displacement, stress;
@@ -24,11 +25,14 @@ namespace dpcontact
     double energy() const { return force() * displacement; }
   };
 
-  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of.
+  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of. The body is
+  /// the half-space, or the sphere's cap within the far boundary where options.surface says so; beyond
+  /// the far boundary the half-space's exterior serves both.
   class HalfSpaceModel
   {
   public:
     /// @param mesh_radius contact radius that the mesh is fitted to, m.
+    /// @throws InputError naming domain-radius where a sphere's far boundary lies beyond its radius.
     HalfSpaceModel(const Material      &material,
                    const Scene         &scene,
                    const SolverOptions &options,

@@ -133,6 +133,7 @@ namespace dpcontact
       pilot_contact_radius(material, scene, solution.yield, solution.cost, observer);
 
     HalfSpaceModel model(material, scene, options, mesh_radius);
+    solution.mesh_radius  = mesh_radius;
     solution.mesh_quality = model.quality();
     const auto     write = [&](const char *name) {
       if (!fields_directory.empty())

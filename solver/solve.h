@@ -32,6 +32,13 @@ namespace dpcontact
     si      ///< none: a check that the scaling changes nothing
   };
 
+  /// Shape of the body that stands for a sphere.
+  enum class Surface
+  {
+    parabola, ///< half-space under the gap r²/(2R): a/R drops out
+    sphere    ///< true profile and curved free surface of radius R, small strain
+  };
+
   /// Everything that a curve depends on besides material and scene. One source of defaults.
   struct SolverOptions
   {
@@ -45,6 +52,9 @@ namespace dpcontact
     double        penalty_stiffness = 1e5;   ///< in units of E/a
     Units         units             = Units::scaled;
     bool          condensation      = true;  ///< solve for the part that yields or touches (core.h)
+    /// `sphere` asks for domain_radius a ≤ R. Its approach holds a compliance linear in the force, which
+    /// remove_linear_compliance() takes out.
+    Surface       surface           = Surface::parabola;
 
     /// @throws InputError naming the option, its value and its range.
     void check() const;
@@ -84,6 +94,7 @@ namespace dpcontact
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
     std::vector<AxisPoint>     peak_axis;      ///< stresses on the axis at F_max
     double                     step_error = 0; ///< estimated error of F(δ) in the load step, over F_max
+    double                     mesh_radius = 0; ///< contact radius that the mesh is fitted to, m
     MeshQuality                mesh_quality; ///< of the mesh in units of its contact radius
     Cost                       cost;
     unsigned int               apex_points = 0; ///< converged apex states met over the whole path
