@@ -56,6 +56,7 @@ namespace dpcontact
       require(std::isfinite(value), name, value, "finite");
     require(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
     require(level <= 6, "level", level, "at most 6");
+    require(surface_halvings <= 4, "surface_halvings", surface_halvings, "at most 4");
     require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
     require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
     require(fine_depth > 0 && fine_depth <= medium_depth, "fine_depth", fine_depth, "positive and at most medium_depth");
@@ -152,6 +153,8 @@ namespace dpcontact
                                                {c, zones.surface_depth}};
     for (unsigned int zone = 0; zone < halvings; ++zone)
       refine(sizes[zone].first, sizes[zone].second);
+    for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
+      refine(c, zones.surface_depth / static_cast<double>(1u << k));
     mesh.refine_global(zones.level);
     if (zones.stretch != 1)
       dealii::GridTools::scale(zones.stretch, mesh);

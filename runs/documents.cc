@@ -30,12 +30,20 @@ namespace dpcontact
 
   Json options_json(const SolverOptions &used)
   {
+    const auto on_off = [](const bool value) { return value ? "on" : "off"; };
     return {{"mesh", to_string(used.mesh)},
             {"resolution", used.resolution},
+            {"surface-halvings",
+             used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
+            {"element", to_string(used.element)},
             {"level", used.level},
             {"domain-radius", used.domain_radius},
             {"mesh-stretch", used.mesh_stretch},
             {"step-tolerance", used.step_tolerance},
+            {"extrapolation", on_off(used.extrapolation)},
+            {"predictor", on_off(used.predictor)},
+            {"condensation", on_off(used.condensation)},
+            {"closed-form", on_off(used.closed_form)},
             {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
             {"penalty-stiffness", used.penalty_stiffness},
             {"units", used.units == Units::si ? "si" : "scaled"},

@@ -125,6 +125,9 @@ namespace dpcontact
     const auto count = [](const char *name, const std::string &help, const unsigned int value) {
       return Setting{name, Kind::count, help + " [" + std::to_string(value) + "]"};
     };
+    const auto on_off = [](const char *name, const std::string &help) {
+      return Setting{name, Kind::choice, help + ": on or off [on]", Dimension::number, {"on", "off"}};
+    };
     return {
       Setting{"mesh",
               Kind::choice,
@@ -132,12 +135,26 @@ namespace dpcontact
               Dimension::number,
               {"fitted", "published"}},
       count("resolution", "elements across the contact radius at the peak", defaults.resolution),
+      Setting{"surface-halvings",
+              Kind::choice,
+              "further halvings of the cells at the surface: auto (1 where strongly plastic), 0 to 4 [auto]",
+              Dimension::number,
+              {"auto", "0", "1", "2", "3", "4"}},
+      Setting{"element",
+              Kind::choice,
+              "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3) or linear (4, 2x2: locks) [serendipity]",
+              Dimension::number,
+              {"serendipity", "quadratic", "linear"}},
       count("level", "uniform refinements of the whole mesh on top", defaults.level),
       number("domain-radius", "far boundary, in contact radii", defaults.domain_radius),
       number("mesh-stretch", "stretches the fitted mesh by a factor", defaults.mesh_stretch),
       number("step-tolerance",
              "accuracy of the force in the load step, relative to the peak force",
              defaults.step_tolerance),
+      on_off("extrapolation", "extrapolate in the load step"),
+      on_off("predictor", "start a step from the extrapolated last one"),
+      on_off("condensation", "condense what neither yields nor touches"),
+      on_off("closed-form", "Hertz where nothing yields and no fields are asked for"),
       Setting{"contact",
               Kind::choice,
               "how the contact is enforced: augmented or penalty [augmented]",
@@ -210,11 +227,22 @@ namespace dpcontact
     };
     options.mesh = parse_mesh_kind(choose(texts, "mesh", to_string(options.mesh)));
     read_count("resolution", options.resolution);
+    const std::string halvings = choose(texts, "surface-halvings", "auto");
+    if (halvings != "auto")
+      options.surface_halvings = parse_count("surface-halvings", halvings);
+    options.element = parse_element(choose(texts, "element", to_string(options.element)));
     read_count("level", options.level);
     read_number("domain-radius", options.domain_radius);
     read_number("mesh-stretch", options.mesh_stretch);
     read_number("step-tolerance", options.step_tolerance);
     read_number("penalty-stiffness", options.penalty_stiffness);
+    const auto read_switch = [&](const char *name, bool &value) {
+      value = choose(texts, name, value ? "on" : "off") == "on";
+    };
+    read_switch("extrapolation", options.extrapolation);
+    read_switch("predictor", options.predictor);
+    read_switch("condensation", options.condensation);
+    read_switch("closed-form", options.closed_form);
     options.contact = choose(texts, "contact", "augmented") == "penalty" ? ContactMethod::penalty
                                                                          : ContactMethod::augmented;
     options.units   = choose(texts, "units", "scaled") == "si" ? Units::si : Units::scaled;

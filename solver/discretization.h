@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_SOLVER_DISCRETIZATION_H
 #define DPCONTACT_SOLVER_DISCRETIZATION_H
 
+#include "solver/element.h"
 #include "solver/far_field.h"
 #include "solver/kinematics.h"
 
@@ -15,14 +16,6 @@
 
 namespace dpcontact
 {
-  /// Element and quadrature.
-  enum class Element
-  {
-    serendipity_reduced, ///< 8-node (20-node) quadratic, 2 Gauss points a direction: does not lock
-    quadratic_full,      ///< 9-node (27-node) quadratic, 3 Gauss points a direction
-    linear_full          ///< 4-node (8-node) linear, 2 Gauss points a direction: locks
-  };
-
   /// Everything of the finite-element system that no material state touches, computed once a mesh.
   ///
   /// Constrained degrees of freedom (hanging nodes, serendipity centres, axis or symmetry planes, and

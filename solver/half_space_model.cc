@@ -13,8 +13,7 @@ namespace dpcontact
   HalfSpaceModel::HalfSpaceModel(const Material      &material,
                                  const Scene         &scene_,
                                  const SolverOptions &options_,
-                                 const double         mesh_radius,
-                                 const Element        element)
+                                 const double         mesh_radius)
     : scene(scene_)
     , options(options_)
     , peak_approach_guess(hertz::approach(material, scene.radius, scene.force_max) / 2)
@@ -35,6 +34,7 @@ namespace dpcontact
         Zones zones;
         zones.resolution    = options.resolution;
         zones.level         = options.level;
+        zones.surface_halvings = options.surface_halvings.value_or(0);
         zones.domain_radius = options.domain_radius;
         zones.stretch       = options.mesh_stretch;
         make_zoned_mesh(zones, triangulation);
@@ -57,7 +57,7 @@ namespace dpcontact
 
     space = std::make_unique<Discretization<2>>(triangulation,
                                                 BoussinesqField<2>(modulus, nu),
-                                                element);
+                                                options.element);
     contact_system =
       std::make_unique<ContactSystem<2>>(*space,
                                          law,
@@ -74,6 +74,7 @@ namespace dpcontact
     path_options.loading_steps   = loading_steps;
     path_options.unloading_steps = (loading_steps + 1) / 2;
     path_options.augment         = options.contact == ContactMethod::augmented;
+    path_options.predict         = options.predictor;
     contact_system->reset();
     return LoadPath<2>(*contact_system, path_options, observer);
   }

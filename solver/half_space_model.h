@@ -36,8 +36,7 @@ namespace dpcontact
     HalfSpaceModel(const Material      &material,
                    const Scene         &scene,
                    const SolverOptions &options,
-                   double               mesh_radius,
-                   Element              element = Element::serendipity_reduced);
+                   double               mesh_radius);
 
     /// Runs the whole path with `loading_steps` steps up and half as many down, from the virgin state.
     /// @param at_peak called at the peak, @param at_end after release; may be empty.

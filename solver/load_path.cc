@@ -69,7 +69,7 @@ namespace dpcontact
 
         // Predictor: the secant in the force's own parameter, where there is one.
         const double now = system.force();
-        if (has_previous && target > 0)
+        if (options.predict && has_previous && target > 0)
           {
             const double previous = last_force;
             const double ratio    = std::clamp((std::pow(target, 2. / 3) - std::pow(now, 2. / 3)) /

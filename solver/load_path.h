@@ -26,6 +26,7 @@ namespace dpcontact
       unsigned int  loading_steps          = 20;
       unsigned int  unloading_steps        = 8;
       bool          augment                = true;
+      bool          predict                = true; ///< extrapolate the last step into the next
       double        penetration_tolerance  = 1e-7; ///< largest gap violation over the approach
       unsigned int  max_augmentations      = 20;
       unsigned int  max_cut_backs          = 10;   ///< halvings of one nominal step

@@ -1,14 +1,17 @@
 #include "solver/solve.h"
 
 #include "meshing/errors.h"
+#include "solver/elastic_solution.h"
 #include "solver/half_space_model.h"
 #include "solver/hertz.h"
 #include "solver/recovery.h"
 #include "solver/step_extrapolation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <sys/resource.h>
 
@@ -18,14 +21,24 @@ namespace dpcontact
   {
     constexpr unsigned int first_loading_steps   = 16;
     constexpr unsigned int most_loading_steps    = 1024;
+    constexpr unsigned int elastic_steps         = 64;
     constexpr unsigned int pilot_resolution      = 16;
     constexpr unsigned int pilot_steps           = 10;
     constexpr unsigned int most_pilots           = 5;
     constexpr double       pilot_accuracy        = 0.04; ///< of the contact radius, relative
 
-    /// Error left after extrapolation, as a share of the difference between the two finest runs.
-    /// Halving the steps again and again for Λ = 392 and 3532 leaves 0.08 to 0.25 of it.
-    constexpr double share_after_extrapolation = 0.25;
+    /// Error left after extrapolation, as a share of the difference between the two finest runs, while
+    /// these are the first two and later; and of the difference between the two finest extrapolated
+    /// curves. Halving the steps on, to 512, for Λ = 11, 392, 838 and 3532 leaves 0.05 to 0.26, 0.05 to 0.15
+    /// (0.2 where the cells at the surface are not halved), and up to 0.4 of them.
+    constexpr double share_of_first_difference        = 0.25;
+    constexpr double share_of_difference              = 0.15;
+    constexpr double share_of_extrapolated_difference = 0.35;
+
+    /// Ratio of the peak's approach to Hertz's beyond which an edge that moves from node to node
+    /// would be felt: at Λ = 3532 (ratio 1.36) the phase between edge and nodes moves δ_max
+    /// by 0.13 % without, by 0.02 % with one more halving of the cells at the surface.
+    constexpr double strongly_plastic = 1.22;
 
     void check_option(const bool holds, const char *name, const double value, const char *range)
     {
@@ -51,34 +64,42 @@ namespace dpcontact
       cost.cut_backs += model.counters().cut_backs;
     }
 
-    /// Contact radius at the peak, from coarse runs on meshes fitted better and better.
-    double pilot_contact_radius(const Material      &material,
-                                const Scene         &scene,
-                                const FirstYield    &yield,
-                                Cost                &cost,
-                                const StepObserver  &observer)
+    /// What coarse runs tell about the peak.
+    struct Pilot
     {
-      double a = hertz::contact_radius(scene.radius,
-                                       hertz::approach(material, scene.radius, scene.force_max));
+      double contact_radius; ///< m
+      double approach;       ///< over Hertz's
+    };
+
+    /// Coarse runs on meshes fitted better and better.
+    Pilot run_pilots(const Material     &material,
+                     const Scene        &scene,
+                     const FirstYield   &yield,
+                     Cost               &cost,
+                     const StepObserver &observer)
+    {
+      const double elastic = hertz::approach(material, scene.radius, scene.force_max);
+      Pilot        pilot{hertz::contact_radius(scene.radius, elastic), 1};
       if (scene.force_max <= yield.onset_force())
-        return a;
+        return pilot;
       // Defaults but for the mesh: what is varied in a study must not move the mesh it is studied on.
       SolverOptions coarse;
       coarse.resolution = pilot_resolution;
       for (unsigned int k = 0; k < most_pilots; ++k)
         {
-          HalfSpaceModel model(material, scene, coarse, a);
-          const double   reached = model.run_to_peak(pilot_steps, observer).back().contact_radius;
+          HalfSpaceModel model(material, scene, coarse, pilot.contact_radius);
+          const auto     peak = model.run_to_peak(pilot_steps, observer).back();
           add_cost(cost, model);
-          const double change = reached / a - 1;
-          a                   = reached;
+          const double change  = peak.contact_radius / pilot.contact_radius - 1;
+          pilot.contact_radius = peak.contact_radius;
+          pilot.approach       = peak.approach / elastic;
           if (std::abs(change) < pilot_accuracy)
             break;
         }
-      return a;
+      return pilot;
     }
 
-    void warn(const Material &, const Scene &scene, Solution &solution)
+    void warn(const Scene &scene, Solution &solution)
     {
       const auto        &peak = solution.curve.loading.back();
       std::ostringstream text;
@@ -101,6 +122,7 @@ namespace dpcontact
   void SolverOptions::check() const
   {
     check_option(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
+    check_option(surface_halvings.value_or(0) <= 4, "surface-halvings", surface_halvings.value_or(0), "at most 4");
     check_option(level <= 6, "level", level, "at most 6");
     check_option(std::isfinite(domain_radius) && domain_radius >= 10, "domain-radius", domain_radius, "finite and at least 10 contact radii");
     check_option(std::isfinite(mesh_stretch) && mesh_stretch >= 0.5 && mesh_stretch <= 2, "mesh-stretch", mesh_stretch, "from 0.5 to 2");
@@ -127,13 +149,27 @@ namespace dpcontact
                           "': check the path and its permissions");
       }
 
-    Solution solution;
-    solution.yield = first_yield(material, scene.radius);
-    const double mesh_radius =
-      pilot_contact_radius(material, scene, solution.yield, solution.cost, observer);
+    const FirstYield yield = first_yield(material, scene.radius);
+    if (options.closed_form && options.surface == Surface::parabola && fields_directory.empty() &&
+        scene.force_max <= yield.onset_force())
+      {
+        Solution solution = elastic_solution(material, scene, elastic_steps);
+        warn(scene, solution);
+        solution.cost.peak_memory_bytes = peak_memory();
+        solution.cost.wall_seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return solution;
+      }
 
-    HalfSpaceModel model(material, scene, options, mesh_radius);
-    solution.mesh_radius  = mesh_radius;
+    Solution solution;
+    solution.yield    = yield;
+    const Pilot pilot = run_pilots(material, scene, solution.yield, solution.cost, observer);
+    SolverOptions used = options;
+    if (!used.surface_halvings)
+      used.surface_halvings = pilot.approach > strongly_plastic ? 1 : 0;
+
+    HalfSpaceModel model(material, scene, used, pilot.contact_radius);
+    solution.mesh_radius  = pilot.contact_radius;
     solution.mesh_quality = model.quality();
     const auto     write = [&](const char *name) {
       if (!fields_directory.empty())
@@ -159,21 +195,37 @@ namespace dpcontact
     unsigned int steps  = first_loading_steps;
     Curve        coarse = model.run(steps, observer);
     add_cost(solution.cost, model);
+    std::optional<Curve> extrapolated; // from the two runs before
     for (;;)
       {
         steps *= 2;
         Curve fine = model.run(steps, observer, at_peak, [&] { write("released.vtu"); });
         add_cost(solution.cost, model);
-        solution.apex_points = model.counters().apex_points;
-        solution.step_error  = share_after_extrapolation * step_difference(coarse, fine);
-        if (solution.step_error <= options.step_tolerance)
+        solution.apex_points    = model.counters().apex_points;
+        const double difference = step_difference(coarse, fine);
+        std::optional<Curve> finer;
+        if (!options.extrapolation)
+          solution.step_error = difference; // what is left of a first-order error
+        else
           try
             {
-              solution.curve = extrapolate_steps(coarse, fine);
-              break;
+              finer               = extrapolate_steps(coarse, fine);
+              solution.step_error = (extrapolated ? share_of_difference : share_of_first_difference) * difference;
+              if (extrapolated)
+                solution.step_error =
+                  std::max(solution.step_error,
+                           share_of_extrapolated_difference * step_difference(*extrapolated, *finer));
             }
           catch (const StepsTooLarge &)
-            {} // within the tolerance, but not yet a curve: halve the steps once more
+            {
+              solution.step_error = difference; // not yet a curve: halve the steps once more
+            }
+        if (solution.step_error <= options.step_tolerance && (finer || !options.extrapolation))
+          {
+            solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
+            solution.curve         = finer ? *finer : fine;
+            break;
+          }
         if (2 * steps > most_loading_steps)
           {
             std::ostringstream message;
@@ -182,10 +234,11 @@ namespace dpcontact
                     << "; ask for a larger tolerance or refine the mesh (resolution)";
             throw SolverError(message.str());
           }
-        coarse = std::move(fine);
+        coarse       = std::move(fine);
+        extrapolated = std::move(finer);
       }
 
-    warn(material, scene, solution);
+    warn(scene, solution);
     solution.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     solution.cost.peak_memory_bytes = peak_memory();

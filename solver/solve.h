@@ -4,11 +4,13 @@
 #include "meshing/mesh_kind.h"
 #include "meshing/mesh_quality.h"
 #include "solver/curve.h"
+#include "solver/element.h"
 #include "solver/first_yield.h"
 #include "solver/scene.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace dpcontact
 {
   /// Raised by one with every change that moves computed numbers: rows of different methods do not
   /// mix in one database.
-  constexpr int method_version = 1;
+  constexpr int method_version = 2;
 
   /// How the impenetrability of the contact is enforced.
   enum class ContactMethod
@@ -44,10 +46,17 @@ namespace dpcontact
   {
     MeshKind      mesh              = MeshKind::fitted;
     unsigned int  resolution        = 40;    ///< elements across the contact radius at the peak
+    /// Further halvings of the cells at the surface. Unset: 1 where the approach at the peak
+    /// is more than strongly_plastic times Hertz's, else 0.
+    std::optional<unsigned int> surface_halvings;
+    Element       element           = Element::serendipity_reduced;
     unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
     double        domain_radius     = 200;   ///< far boundary, in contact radii
     double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)
-    double        step_tolerance    = 3e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    double        step_tolerance    = 2e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    bool          extrapolation     = true;  ///< extrapolate in the load step (step_extrapolation.h)
+    bool          predictor         = true;  ///< start Newton from the extrapolated last step
+    bool          closed_form       = true;  ///< Hertz where nothing yields and no fields are asked for
     ContactMethod contact           = ContactMethod::augmented;
     double        penalty_stiffness = 1e5;   ///< in units of E/a
     Units         units             = Units::scaled;
@@ -94,6 +103,9 @@ namespace dpcontact
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
     std::vector<AxisPoint>     peak_axis;      ///< stresses on the axis at F_max
     double                     step_error = 0; ///< estimated error of F(δ) in the load step, over F_max
+    /// The curve with one halving of the load steps less: how far apart both are tells the error
+    /// that the load step leaves in a coefficient. Equal to `curve` where it has no such error.
+    Curve                      coarser_steps;
     double                     mesh_radius = 0; ///< contact radius that the mesh is fitted to, m
     MeshQuality                mesh_quality; ///< of the mesh in units of its contact radius
     Cost                       cost;

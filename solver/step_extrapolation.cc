@@ -21,7 +21,7 @@ namespace dpcontact
         throw SolverError("step extrapolation: the two paths do not share their force levels");
     }
 
-    Branch extrapolate(const Branch &coarse, const Branch &fine)
+    Branch extrapolate(const Branch &coarse, const Branch &fine, const double weight)
     {
       check_levels(coarse, fine);
       Branch     result     = fine;
@@ -31,7 +31,7 @@ namespace dpcontact
       };
       for (std::size_t i = 0; i < fine.size(); ++i)
         for (double CurvePoint::*quantity : {&CurvePoint::approach, &CurvePoint::dissipated_energy})
-          result[i].*quantity += difference(quantity, i);
+          result[i].*quantity += weight * difference(quantity, i);
       const double direction = fine.back().force > fine.front().force ? 1 : -1;
       for (std::size_t i = 1; i < result.size(); ++i)
         if (!(direction * (result[i].approach - result[i - 1].approach) > 0))
@@ -56,9 +56,11 @@ namespace dpcontact
     }
   } // namespace
 
-  Curve extrapolate_steps(const Curve &coarse, const Curve &fine)
+  Curve extrapolate_steps(const Curve &coarse, const Curve &fine, const double order)
   {
-    return {extrapolate(coarse.loading, fine.loading), extrapolate(coarse.unloading, fine.unloading)};
+    const double weight = 1 / (std::pow(2., order) - 1);
+    return {extrapolate(coarse.loading, fine.loading, weight),
+            extrapolate(coarse.unloading, fine.unloading, weight)};
   }
 
   double step_difference(const Curve &coarse, const Curve &fine)

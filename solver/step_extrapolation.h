@@ -12,12 +12,17 @@ namespace dpcontact
     using SolverError::SolverError;
   };
 
-  /// Richardson extrapolation in the load step, whose error is of first order (backward Euler under a
-  /// growing contact). `coarse` and `fine` pass through the same force levels, `fine` through one more
+  /// Order of the load step's error in the step. Backward Euler is of first order, but the edge of the
+  /// contact sweeps over material at the surface that goes from no load to the full pressure within
+  /// one step: halving the steps five times moves δ_max by ratios of 2.0 at Λ = 11 and
+  /// 838 (φ = 40°), of 1.65 to 1.9 at Λ = 392 and 3532 (φ = 20°).
+  constexpr double step_order = 0.95;
+
+  /// Richardson extrapolation in the load step, for an error of the given order. `coarse` and `fine` pass through the same force levels, `fine` through one more
   /// between each two. The result has the points of `fine`, whose approach and dissipated energy
   /// are moved on by their difference to `coarse`, interpolated linearly between common levels.
   /// @throws SolverError where the branches do not share their levels, StepsTooLarge.
-  Curve extrapolate_steps(const Curve &coarse, const Curve &fine);
+  Curve extrapolate_steps(const Curve &coarse, const Curve &fine, double order = step_order);
 
   /// Largest |F_fine(δ) − F_coarse(δ)| / F_max over the common levels of both branches: the force is
   /// compared at equal approach through the fine branch's own slope.

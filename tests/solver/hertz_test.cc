@@ -33,7 +33,13 @@ namespace
     }
 
     static constexpr Scene         scene{};
-    static constexpr SolverOptions options{};
+    static SolverOptions by_elements()
+    {
+      SolverOptions result;
+      result.closed_form = false;
+      return result;
+    }
+    static const inline SolverOptions options = by_elements();
 
     const double    nu            = GetParam();
     const Material  rock          = material(nu);

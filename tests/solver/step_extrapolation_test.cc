@@ -47,7 +47,7 @@ namespace
   TEST(step_extrapolation, is_exact_where_the_error_is_linear_in_the_step)
   {
     const auto coarse = with_steps(8, error_scale), fine = with_steps(16, error_scale);
-    const auto result = extrapolate_steps(coarse, fine);
+    const auto result = extrapolate_steps(coarse, fine, 1);
     ASSERT_EQ(result.loading.size(), fine.loading.size());
     ASSERT_EQ(result.unloading.size(), fine.unloading.size());
     for (const auto *branch : {&result.loading, &result.unloading})
@@ -72,7 +72,7 @@ namespace
       return with_steps(n, 0.05 * (1 + h));
     };
     const auto error = [&](const unsigned int n) {
-      const auto result = extrapolate_steps(curve(n), curve(2 * n));
+      const auto result = extrapolate_steps(curve(n), curve(2 * n), 1);
       return std::abs(result.loading.back().approach - exact_approach(peak_force));
     };
     EXPECT_GT(error(8), 1e-5) << "there must be something to measure";
