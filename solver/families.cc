@@ -76,6 +76,7 @@ namespace dpcontact
     {
       HalfSpaceModel::BranchedRun coarse, fine;
       unsigned int                apex_points;
+      SolverOptions               used;
     };
 
     PathPair run_paths(const FamilyMember        &top,
@@ -111,7 +112,7 @@ namespace dpcontact
         unloading_steps.push_back(static_cast<unsigned int>(std::lround(steps)));
         return unloading_steps.back();
       };
-      PathPair pair{model.run(levels, observer), {}, 0};
+      PathPair pair{model.run(levels, observer), {}, 0, used};
       add_cost(cost, model);
 
       std::vector<double> fine_levels;
@@ -209,7 +210,10 @@ namespace dpcontact
         const FirstYield yield = first_yield(members[i].material, members[i].scene.radius);
         load_level[i]          = members[i].scene.force_max / yield.force;
         if (options.closed_form && members[i].scene.force_max <= yield.onset_force())
-          solutions[i] = elastic_solution(members[i].material, members[i].scene, elastic_steps);
+          {
+            solutions[i]      = elastic_solution(members[i].material, members[i].scene, elastic_steps);
+            solutions[i].used = options;
+          }
         else
           plastic.push_back(i);
         solutions[i].yield = yield;
@@ -243,6 +247,7 @@ namespace dpcontact
             Solution &solution = solutions[served[k]];
             enter(paths, k, Scales(solution.yield, solutions[served.back()].yield), solution);
             solution.mesh_radius = pilot->contact_radius;
+            solution.used        = paths.used;
             solution.cost        = share(cost, served.size());
           }
         if (!plastic.empty())

@@ -30,6 +30,15 @@ namespace dpcontact
       message << "option " << name << " is " << value << "; it must be " << range;
       throw InputError(message.str());
     }
+    /// The first run's steps where the finest has `finest`: halved at least once, and on down to
+    /// first_loading_steps while they stay whole.
+    unsigned int coarsest(unsigned int finest)
+    {
+      do
+        finest /= 2;
+      while (finest % 2 == 0 && finest / 2 >= first_loading_steps);
+      return finest;
+    }
   } // namespace
 
   void add_warnings(const Scene &scene, Solution &solution)
@@ -58,6 +67,7 @@ namespace dpcontact
     check_option(level <= 6, "level", level, "at most 6");
     check_option(std::isfinite(domain_radius) && domain_radius >= 10, "domain-radius", domain_radius, "finite and at least 10 contact radii");
     check_option(std::isfinite(mesh_stretch) && mesh_stretch >= 0.5 && mesh_stretch <= 2, "mesh-stretch", mesh_stretch, "from 0.5 to 2");
+    check_option(loading_steps % 2 == 0 && loading_steps <= 4096, "loading-steps", loading_steps, "even and at most 4096 (0: as many as step-tolerance needs)");
     check_option(step_tolerance > 0 && step_tolerance <= 1, "step-tolerance", step_tolerance, "above 0 and at most 1");
     check_option(std::isfinite(penalty_stiffness) && penalty_stiffness > 0, "penalty-stiffness", penalty_stiffness, "finite and positive");
   }
@@ -86,6 +96,7 @@ namespace dpcontact
         scene.force_max <= yield.onset_force())
       {
         Solution solution = elastic_solution(material, scene, elastic_steps);
+        solution.used     = options;
         add_warnings(scene, solution);
         solution.cost.peak_memory_bytes = peak_memory();
         solution.cost.wall_seconds =
@@ -121,7 +132,7 @@ namespace dpcontact
       write("peak.vtu");
     };
 
-    unsigned int steps  = first_loading_steps;
+    unsigned int steps = options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
     Curve        coarse = model.run(steps, observer);
     add_cost(solution.cost, model);
     std::optional<Curve> extrapolated; // from the two runs before
@@ -149,16 +160,22 @@ namespace dpcontact
             {
               solution.step_error = difference; // not yet a curve: halve the steps once more
             }
-        if (solution.step_error <= options.step_tolerance && (finer || !options.extrapolation))
+        const bool enough = options.loading_steps > 0 ? steps == options.loading_steps :
+                                                        solution.step_error <= options.step_tolerance;
+        if (enough && (finer || !options.extrapolation))
           {
             solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
             solution.coarser_share = extrapolated ? share_of_extrapolated_difference :
                                      finer        ? share_of_first_difference :
                                                     1.;
             solution.curve         = finer ? *finer : fine;
+            used.loading_steps     = steps;
             break;
           }
-        if (2 * steps > most_loading_steps)
+        if (enough && options.loading_steps > 0)
+          throw SolverError("with loading-steps " + std::to_string(steps) +
+                            " the extrapolated curve is not monotone: ask for more steps");
+        if (2 * steps > most_loading_steps && options.loading_steps == 0)
           {
             std::ostringstream message;
             message << "step-tolerance " << options.step_tolerance << " is not reached with " << steps
@@ -170,6 +187,7 @@ namespace dpcontact
         extrapolated = std::move(finer);
       }
 
+    solution.used = used;
     add_warnings(scene, solution);
     solution.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -55,6 +55,8 @@ namespace dpcontact
     double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)
     unsigned int  octaves           = 0;     ///< contacts down to 2^−octaves are resolved as well (zones.h)
     double        step_tolerance    = 2e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    /// Loading steps of the finest run, for studies; 0: as many as step_tolerance needs.
+    unsigned int  loading_steps     = 0;
     bool          extrapolation     = true;  ///< extrapolate in the load step (step_extrapolation.h)
     bool          predictor         = true;  ///< start Newton from the extrapolated last step
     bool          closed_form       = true;  ///< Hertz where nothing yields and no fields are asked for
@@ -99,6 +101,7 @@ namespace dpcontact
   /// A computed scene.
   struct Solution
   {
+    SolverOptions              used; ///< with surface_halvings and loading_steps as they were in the end
     FirstYield                 yield;
     Curve                      curve;
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
