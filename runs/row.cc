@@ -127,12 +127,12 @@ namespace dpcontact
       row.approach_peak_m          = fit.approach_max;
 
       // The other parts do not depend on the fit: a refit keeps them.
-      const auto fits = fit_errors(fit);
+      const auto         fits    = fit_errors(fit);
+      const ErrorColumns columns = error_columns();
       for (std::size_t c = 0; c < 4; ++c)
         {
-          const auto &columns = error_columns()[c];
-          row.*columns[6] += fits[c] - row.*columns[5];
-          row.*columns[5] = fits[c];
+          row.*columns[c][6] += fits[c] - row.*columns[c][5];
+          row.*columns[c][5] = fits[c];
         }
 
       row.status = fit.converged() ? "converged" : "failed";
@@ -201,13 +201,14 @@ namespace dpcontact
 
     row.curve        = solution.curve;
     row.peak_profile = solution.peak_profile;
-    const CoefficientErrors errors = estimate_errors(fit_row(row), solution, input.scene);
+    const CoefficientErrors errors  = estimate_errors(fit_row(row), solution, input.scene);
+    const ErrorColumns      columns = error_columns();
     for (std::size_t c = 0; c < errors.size(); ++c)
       {
         const ErrorParts &e        = errors[c];
         const double      parts[7] = {e.mesh, e.step, e.contact, e.far_field, e.finite_radius, e.fit, e.total()};
         for (std::size_t p = 0; p < 7; ++p)
-          row.*error_columns()[c][p] = parts[p];
+          row.*columns[c][p] = parts[p];
       }
     return row;
   }

@@ -18,6 +18,7 @@ namespace dpcontact::commands
   void add_yield(CLI::App &program, Action &action);
   void add_solve(CLI::App &program, Action &action);
   void add_converge(CLI::App &program, Action &action);
+  void add_compare(CLI::App &program, Action &action);
   void add_sweep(CLI::App &program, Action &action);
   void add_fit(CLI::App &program, Action &action);
   void add_export(CLI::App &program, Action &action);
