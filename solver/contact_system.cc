@@ -307,10 +307,27 @@ namespace dpcontact
   }
 
   template <int dim>
+  bool ContactSystem<dim>::factorize_tangent()
+  {
+    // An iterate far from equilibrium may have points at the apex, or a mechanism of perfectly plastic
+    // ones, that resist nothing. Then a share of the elastic stiffness leads on; no converged state
+    // needs it.
+    assemble_tangent();
+    for (const double share : {0., 1e-4, 1e-2, 1.})
+      {
+        if (share > 0)
+          for (std::size_t e = 0; e < core->matrix.value.size(); ++e)
+            core->matrix.value[e] += share * core->elastic_values[e];
+        if (core->solver->factorize(core->matrix))
+          return true;
+      }
+    return false;
+  }
+
+  template <int dim>
   bool ContactSystem<dim>::correction()
   {
-    assemble_tangent();
-    if (!core->solver->factorize(core->matrix))
+    if (!factorize_tangent())
       return false;
     solve(rhs, -1, step);
     approach_step = 0;

@@ -114,6 +114,7 @@ namespace dpcontact
   private:
     void build_elastic_stiffness();
     void assemble_tangent();
+    bool factorize_tangent();
     void use_core(std::size_t stage);
     /// The law at the points of a cell, from the iterate's strains.
     void evaluate_points(unsigned int cell);

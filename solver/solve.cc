@@ -134,6 +134,7 @@ namespace dpcontact
 
     unsigned int steps = options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
     Curve        coarse = model.run(steps, observer);
+    bool         coarse_was_cut = model.counters().cut_backs > 0;
     add_cost(solution.cost, model);
     std::optional<Curve> extrapolated; // from the two runs before
     for (;;)
@@ -143,6 +144,11 @@ namespace dpcontact
         add_cost(solution.cost, model);
         solution.apex_points    = model.counters().apex_points;
         const double difference = step_difference(coarse, fine);
+        // Steps that were cut are no longer twice the finer ones: nothing is known to cancel then.
+        const bool   fine_was_cut = model.counters().cut_backs > 0;
+        const double share        = coarse_was_cut || fine_was_cut ? 1. :
+                                    extrapolated                   ? share_of_difference :
+                                                                     share_of_first_difference;
         std::optional<Curve> finer;
         if (!options.extrapolation)
           solution.step_error = difference; // what is left of a first-order error
@@ -150,7 +156,7 @@ namespace dpcontact
           try
             {
               finer               = extrapolate_steps(coarse, fine);
-              solution.step_error = (extrapolated ? share_of_difference : share_of_first_difference) * difference;
+              solution.step_error = share * difference;
               if (extrapolated)
                 solution.step_error =
                   std::max(solution.step_error,
@@ -185,6 +191,7 @@ namespace dpcontact
           }
         coarse       = std::move(fine);
         extrapolated = std::move(finer);
+        coarse_was_cut = fine_was_cut;
       }
 
     solution.used = used;
