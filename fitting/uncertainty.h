@@ -9,8 +9,8 @@
 
 namespace dpcontact
 {
-  /// What may be wrong with one coefficient, by source; absolute, in the coefficient's own unit (1).
-  /// NaN where no estimate exists for the settings that were used.
+  /// What may be wrong with one coefficient, by source; absolute, in the coefficient's own unit
+  /// (1). NaN where no estimate exists for the settings that were used.
   struct ErrorParts
   {
     static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
@@ -33,15 +33,17 @@ namespace dpcontact
   /// a, b, m, n of the consistent pair.
   std::array<double, 4> coefficients(const CurveFit &fit);
 
-  /// The part `fit`: standard error plus |change of the coefficient in the window [0.1, 1] of the approach|.
+  /// The part `fit`: standard error plus |change of the coefficient in the window [0.1, 1] of the
+  /// approach|.
   std::array<double, 4> fit_errors(const CurveFit &fit);
 
   /// The cheap estimate: no further computation. Step: how far the fit moves between the curve and
-  /// `solution.coarser_steps`. Mesh, contact, far field, finite radius: closed expressions in the settings,
-  /// a/R and the excess of the peak's approach over Hertz's, calibrated on the study of
+  /// `solution.coarser_steps`. Mesh, contact, far field, finite radius: closed expressions in the
+  /// settings, a/R and the excess of the peak's approach over Hertz's, calibrated on the study of
   /// runs/error_study (see uncertainty.cc).
   /// @param fit of solution.curve.
-  CoefficientErrors estimate_errors(const CurveFit &fit, const Solution &solution, const Scene &scene);
+  CoefficientErrors
+  estimate_errors(const CurveFit &fit, const Solution &solution, const Scene &scene);
 } // namespace dpcontact
 
 #endif

@@ -60,8 +60,8 @@ namespace dpcontact
     const TemporaryFile file(".msh");
     gmsh::write(file.path);
 
-    std::ifstream            input(file.path);
-    dealii::GridIn<2>        reader(mesh);
+    std::ifstream     input(file.path);
+    dealii::GridIn<2> reader(mesh);
     reader.read_msh(input);
     if (!mesh.all_reference_cells_are_hyper_cube())
       throw SolverError("gmsh left triangles in a quadrilateral mesh");
@@ -105,14 +105,14 @@ namespace dpcontact
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
             {
-              const dealii::Point<2> m  = face->center();
-              const auto             id = face->boundary_id();
-              const double           h  = face->diameter();
+              const dealii::Point<2> m          = face->center();
+              const auto             id         = face->boundary_id();
+              const double           h          = face->diameter();
               const bool             on_axis    = std::abs(m[0]) < 1e-9 * h;
               const bool             on_surface = std::abs(m[1]) < 1e-9 * h;
-              const unsigned int     expected   = on_axis    ? boundary::axis :
-                                                  on_surface ? boundary::surface :
-                                                               boundary::far;
+              const unsigned int     expected   = on_axis      ? boundary::axis
+                                                  : on_surface ? boundary::surface
+                                                               : boundary::far;
               if (id != expected)
                 throw SolverError("mesh check: the boundary face at " + where(m) + " has id " +
                                   std::to_string(id) + ", expected " + std::to_string(expected));

@@ -23,8 +23,8 @@ namespace dpcontact
   /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners.
   void check_jacobians(const dealii::Triangulation<2> &mesh);
 
-  /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners and
-  /// every boundary face carries an id of boundary_ids.h that fits where it lies.
+  /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners
+  /// and every boundary face carries an id of boundary_ids.h that fits where it lies.
   void check_mesh(const dealii::Triangulation<2> &mesh);
 } // namespace dpcontact
 

@@ -29,16 +29,19 @@ namespace dpcontact
       if (holds)
         return;
       std::ostringstream message;
-      message << "mesh zones: " << name << " = " << value << " is out of range; it must be " << range;
+      message << "mesh zones: " << name << " = " << value << " is out of range; it must be "
+              << range;
       throw InputError(message.str());
     }
 
-    /// Number of rings from `inner` to `outer` when each is `growth` times as wide as the one before
-    /// and the first is about `first` wide.
-    int number_of_rings(const double inner, const double outer, const double first, const double growth)
+    /// Number of rings from `inner` to `outer` when each is `growth` times as wide as the one
+    /// before and the first is about `first` wide.
+    int
+    number_of_rings(const double inner, const double outer, const double first, const double growth)
     {
-      return std::max(
-        3, static_cast<int>(std::lround(std::log(1 + (outer - inner) * (growth - 1) / first) / std::log(growth))));
+      return std::max(3,
+                      static_cast<int>(std::lround(
+                        std::log(1 + (outer - inner) * (growth - 1) / first) / std::log(growth))));
     }
   } // namespace
 
@@ -59,10 +62,17 @@ namespace dpcontact
     require(octaves <= 12, "octaves", octaves, "at most 12");
     require(level <= 6, "level", level, "at most 6");
     require(surface_halvings <= 4, "surface_halvings", surface_halvings, "at most 4");
-    require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
+    require(
+      contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
     require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
-    require(fine_depth > 0 && fine_depth <= medium_depth, "fine_depth", fine_depth, "positive and at most medium_depth");
-    require(surface_depth > 0 && surface_depth <= fine_depth, "surface_depth", surface_depth, "positive and at most fine_depth");
+    require(fine_depth > 0 && fine_depth <= medium_depth,
+            "fine_depth",
+            fine_depth,
+            "positive and at most medium_depth");
+    require(surface_depth > 0 && surface_depth <= fine_depth,
+            "surface_depth",
+            surface_depth,
+            "positive and at most fine_depth");
     require(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
     require(domain_radius >= 2 * plastic_zone,
             "domain_radius",
@@ -81,22 +91,22 @@ namespace dpcontact
     const int          block_cells = static_cast<int>(std::ceil(zones.contact_zone / block - 1e-9));
     const double       c           = block_cells * block;
     const double       d           = zones.domain_radius / std::sqrt(2.);
-    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh; a ratio
-    // above 2 would make slivers of the coarsest.
+    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh; a
+    // ratio above 2 would make slivers of the coarsest.
     const double growth =
       std::min(std::max(2., zones.growth), std::pow(zones.growth, 40. / zones.resolution));
-    const int    rings  = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
+    const int rings = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
 
     {
       const GmshSession gmsh_session;
-      namespace geo          = gmsh::model::geo;
-      const int origin       = geo::addPoint(0, 0, 0);
-      const int core_right   = geo::addPoint(c, 0, 0);
-      const int core_corner  = geo::addPoint(c, -c, 0);
-      const int core_bottom  = geo::addPoint(0, -c, 0);
-      const int far_right    = geo::addPoint(zones.domain_radius, 0, 0);
-      const int far_corner   = geo::addPoint(d, -d, 0);
-      const int far_bottom   = geo::addPoint(0, -zones.domain_radius, 0);
+      namespace geo         = gmsh::model::geo;
+      const int origin      = geo::addPoint(0, 0, 0);
+      const int core_right  = geo::addPoint(c, 0, 0);
+      const int core_corner = geo::addPoint(c, -c, 0);
+      const int core_bottom = geo::addPoint(0, -c, 0);
+      const int far_right   = geo::addPoint(zones.domain_radius, 0, 0);
+      const int far_corner  = geo::addPoint(d, -d, 0);
+      const int far_bottom  = geo::addPoint(0, -zones.domain_radius, 0);
 
       const int core_surface = geo::addLine(origin, core_right);
       const int core_side    = geo::addLine(core_right, core_corner);
@@ -143,11 +153,13 @@ namespace dpcontact
           return true;
       return false;
     };
-    // Zones from the coarsest cells to the finest; zone z of octave k has cells halved k + z + 1 times.
-    std::vector<std::pair<double, double>> sizes = {{std::max(c, zones.plastic_zone), zones.plastic_zone},
-                                                    {c, zones.medium_depth},
-                                                    {c, zones.fine_depth},
-                                                    {c, zones.surface_depth}};
+    // Zones from the coarsest cells to the finest; zone z of octave k has cells halved k + z + 1
+    // times.
+    std::vector<std::pair<double, double>> sizes = {
+      {std::max(c, zones.plastic_zone), zones.plastic_zone},
+      {c, zones.medium_depth},
+      {c, zones.fine_depth},
+      {c, zones.surface_depth}};
     sizes.resize(halvings);
     for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
       sizes.emplace_back(c, zones.surface_depth / static_cast<double>(1u << k));

@@ -23,8 +23,8 @@ namespace dpcontact
       return {row.E_Pa, row.nu, row.phi_deg, row.sigma_c_Pa, row.radius_m, row.force_max_N};
     }
 
-    constexpr double      Record::*values[] = {&Record::a, &Record::b, &Record::m, &Record::n};
-    constexpr const char *names[]           = {"a", "b", "m", "n"};
+    constexpr double Record::*values[] = {&Record::a, &Record::b, &Record::m, &Record::n};
+    constexpr const char     *names[]  = {"a", "b", "m", "n"};
 
     /// mesh, step, contact, far_field of error_columns()
     double numerical_error(const Record &row, const std::size_t coefficient)
@@ -38,9 +38,8 @@ namespace dpcontact
 
   bool RowComparison::agrees() const
   {
-    return std::all_of(std::begin(difference), std::end(difference), [](const Difference &d) {
-      return d.agrees();
-    });
+    return std::all_of(
+      std::begin(difference), std::end(difference), [](const Difference &d) { return d.agrees(); });
   }
 
   std::vector<RowComparison> compare(const Database &one, const Database &other)
@@ -55,8 +54,8 @@ namespace dpcontact
         if (partner == partners.end() || row.status != "converged" ||
             partner->second->status != "converged")
           throw InputError("compare: the row of " + label(case_of(row)) +
-                           (partner == partners.end() ? " is not in the other database" :
-                                                        " has failed in one of the databases"));
+                           (partner == partners.end() ? " is not in the other database"
+                                                      : " has failed in one of the databases"));
         RowComparison pair{&row, partner->second, {}};
         for (std::size_t c = 0; c < 4; ++c)
           {
@@ -76,8 +75,10 @@ namespace dpcontact
   {
     std::ostringstream text;
     text << std::setprecision(10)
-         << "# Coefficients of one database beside those of another (_other), their difference (other\n"
-            "# over one, minus 1), and the sum of the errors that both state (mesh, load step, contact,\n"
+         << "# Coefficients of one database beside those of another (_other), their difference "
+            "(other\n"
+            "# over one, minus 1), and the sum of the errors that both state (mesh, load step, "
+            "contact,\n"
             "# far field) over the coefficient.\n"
             "E_Pa,nu,phi_deg,sigma_c_Pa,radius_m,force_max_N,load_level";
     for (const char *name : names)

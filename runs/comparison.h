@@ -17,7 +17,7 @@ namespace dpcontact
     struct Difference
     {
       double value, other; ///< of the two rows
-      double stated;       ///< sum of the errors that both rows state: mesh, step, contact, far field
+      double stated; ///< sum of the errors that both rows state: mesh, step, contact, far field
       /// Finite radius and fit are left out: both rows have them alike.
       bool agrees() const;
     };

@@ -14,9 +14,9 @@ namespace dpcontact
   {
     using Values = std::array<double, 4>;
 
-    constexpr unsigned int few_steps            = 32;
-    constexpr unsigned int finite_radius_cells  = 20;  ///< resolution of the study of a/R
-    constexpr double       largest_cap          = 0.8; ///< its domain over R, at most
+    constexpr unsigned int few_steps           = 32;
+    constexpr unsigned int finite_radius_cells = 20;  ///< resolution of the study of a/R
+    constexpr double       largest_cap         = 0.8; ///< its domain over R, at most
 
     std::string number(const double value) { return format_quantity(value, Dimension::number); }
 
@@ -43,7 +43,8 @@ namespace dpcontact
         }
     }
 
-    ErrorStudy study_finite_radius(const Case &input, const SolverOptions &options, const Solution &base)
+    ErrorStudy
+    study_finite_radius(const Case &input, const SolverOptions &options, const Solution &base)
     {
       ErrorStudy   study{"finite_radius", "a/R", {}, {}, {}, {}};
       const double kappa = base.curve.loading.back().contact_radius / input.scene.radius;
@@ -53,16 +54,17 @@ namespace dpcontact
           Case scaled = input;
           scaled.material.compressive_strength *= factor;
           scaled.scene.force_max *= factor * factor * factor;
-          SolverOptions used = options;
-          used.resolution    = finite_radius_cells;
-          used.loading_steps = few_steps;
-          used.domain_radius = std::min(options.domain_radius, largest_cap / (kappa * factor));
-          const Values flat  = solve(scaled, used);
-          used.surface       = Surface::sphere;
+          SolverOptions used    = options;
+          used.resolution       = finite_radius_cells;
+          used.loading_steps    = few_steps;
+          used.domain_radius    = std::min(options.domain_radius, largest_cap / (kappa * factor));
+          const Values flat     = solve(scaled, used);
+          used.surface          = Surface::sphere;
           const Solution sphere = solve_contact(scaled.material, scaled.scene, used);
           const double   C =
             remote_compliance(scaled.material, scaled.scene.radius, used, sphere.mesh_radius);
-          const Values curved = coefficients(fit_of(sphere, remove_linear_compliance(sphere.curve, C)));
+          const Values curved =
+            coefficients(fit_of(sphere, remove_linear_compliance(sphere.curve, C)));
           ErrorStudy::Level level{number(kappa * factor), {}};
           for (unsigned int c = 0; c < 4; ++c)
             level.values[c] = curved[c] - flat[c];
@@ -111,13 +113,14 @@ namespace dpcontact
       result.studied[c] = {0, 0, 0, 0, 0, fits[c]};
     if (result.solution.cost.dofs == 0)
       {
-        log("the scene is elastic and solved in closed form: only its fit and its a/R can be wrong");
+        log(
+          "the scene is elastic and solved in closed form: only its fit and its a/R can be wrong");
         return result;
       }
 
     const SolverOptions base = result.solution.used;
-    const auto          vary = [&](const char                                              *source,
-                          const char                                              *varied,
+    const auto          vary = [&](const char                                               *source,
+                          const char                                               *varied,
                           const std::vector<std::pair<std::string, SolverOptions>> &levels,
                           double ErrorParts::*part) {
       ErrorStudy study{source, varied, {}, {}, {}, {}};
@@ -149,7 +152,8 @@ namespace dpcontact
     for (const double factor : {0.5, 1., 2.})
       {
         const auto n = 2 * static_cast<unsigned int>(std::lround(factor * base.loading_steps / 2));
-        levels.emplace_back(std::to_string(n), with([n](SolverOptions &o) { o.loading_steps = n; }));
+        levels.emplace_back(std::to_string(n),
+                            with([n](SolverOptions &o) { o.loading_steps = n; }));
       }
     vary("step", "loading-steps", levels, &ErrorParts::step);
 

@@ -33,24 +33,24 @@ namespace dpcontact
   Json options_json(const SolverOptions &used)
   {
     const auto on_off = [](const bool value) { return value ? "on" : "off"; };
-    return {{"mesh", to_string(used.mesh)},
-            {"resolution", used.resolution},
-            {"surface-halvings",
-             used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
-            {"element", to_string(used.element)},
-            {"level", used.level},
-            {"domain-radius", used.domain_radius},
-            {"mesh-stretch", used.mesh_stretch},
-            {"step-tolerance", used.step_tolerance},
-            {"loading-steps", used.loading_steps},
-            {"extrapolation", on_off(used.extrapolation)},
-            {"predictor", on_off(used.predictor)},
-            {"condensation", on_off(used.condensation)},
-            {"closed-form", on_off(used.closed_form)},
-            {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
-            {"penalty-stiffness", used.penalty_stiffness},
-            {"units", used.units == Units::si ? "si" : "scaled"},
-            {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
+    return {
+      {"mesh", to_string(used.mesh)},
+      {"resolution", used.resolution},
+      {"surface-halvings", used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
+      {"element", to_string(used.element)},
+      {"level", used.level},
+      {"domain-radius", used.domain_radius},
+      {"mesh-stretch", used.mesh_stretch},
+      {"step-tolerance", used.step_tolerance},
+      {"loading-steps", used.loading_steps},
+      {"extrapolation", on_off(used.extrapolation)},
+      {"predictor", on_off(used.predictor)},
+      {"condensation", on_off(used.condensation)},
+      {"closed-form", on_off(used.closed_form)},
+      {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
+      {"penalty-stiffness", used.penalty_stiffness},
+      {"units", used.units == Units::si ? "si" : "scaled"},
+      {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
   }
 
   Json fit_json(const Record &row)
@@ -106,7 +106,8 @@ namespace dpcontact
   Json error_json(const Record &row)
   {
     static const char *const names[]   = {"a", "b", "m", "n"};
-    static const char *const sources[] = {"mesh", "step", "contact", "far_field", "finite_radius", "fit", "total"};
+    static const char *const sources[] = {
+      "mesh", "step", "contact", "far_field", "finite_radius", "fit", "total"};
     const auto columns = error_columns();
     Json       errors;
     for (std::size_t c = 0; c < columns.size(); ++c)

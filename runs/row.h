@@ -13,7 +13,8 @@ namespace dpcontact
 {
   RowInputs row_inputs(const Case &input);
 
-  /// Columns of the estimated errors of a, b, m, n: mesh, step, contact, far_field, finite_radius, fit, total.
+  /// Columns of the estimated errors of a, b, m, n: mesh, step, contact, far_field, finite_radius,
+  /// fit, total.
   using ErrorColumns = std::array<std::array<double Record::*, 7>, 4>;
   ErrorColumns error_columns();
 

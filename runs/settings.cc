@@ -126,7 +126,8 @@ namespace dpcontact
       return Setting{name, Kind::count, help + " [" + std::to_string(value) + "]"};
     };
     const auto on_off = [](const char *name, const std::string &help) {
-      return Setting{name, Kind::choice, help + ": on or off [on]", Dimension::number, {"on", "off"}};
+      return Setting{
+        name, Kind::choice, help + ": on or off [on]", Dimension::number, {"on", "off"}};
     };
     return {
       Setting{"mesh",
@@ -137,12 +138,14 @@ namespace dpcontact
       count("resolution", "elements across the contact radius at the peak", defaults.resolution),
       Setting{"surface-halvings",
               Kind::choice,
-              "further halvings of the cells at the surface: auto (1 where strongly plastic), 0 to 4 [auto]",
+              "further halvings of the cells at the surface: auto (1 where strongly plastic), 0 to "
+              "4 [auto]",
               Dimension::number,
               {"auto", "0", "1", "2", "3", "4"}},
       Setting{"element",
               Kind::choice,
-              "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3) or linear (4, 2x2: locks) [serendipity]",
+              "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3) or linear (4, 2x2: locks) "
+              "[serendipity]",
               Dimension::number,
               {"serendipity", "quadratic", "linear"}},
       count("level", "uniform refinements of the whole mesh on top", defaults.level),

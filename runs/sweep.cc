@@ -30,8 +30,8 @@ namespace dpcontact
       return mode == SweepMode::families ? "families" : "direct";
     }
 
-    /// What every row depends on besides its inputs. In a family a row depends on the others: their load
-    /// levels are where the common path stops.
+    /// What every row depends on besides its inputs. In a family a row depends on the others: their
+    /// load levels are where the common path stops.
     nlohmann::json row_settings(const Sweep &sweep)
     {
       auto settings              = nlohmann::json::parse(options_json(sweep.solver).dump());
@@ -43,7 +43,12 @@ namespace dpcontact
           for (const Case &input : sweep.cases)
             {
               const RowInputs inputs = row_inputs(input);
-              grid.push_back({inputs.E_Pa, inputs.nu, inputs.phi_deg, inputs.sigma_c_Pa, inputs.radius_m, inputs.force_max_N});
+              grid.push_back({inputs.E_Pa,
+                              inputs.nu,
+                              inputs.phi_deg,
+                              inputs.sigma_c_Pa,
+                              inputs.radius_m,
+                              inputs.force_max_N});
             }
           settings["grid_sha256"] = sha256(grid.dump());
         }
@@ -66,8 +71,9 @@ namespace dpcontact
           return jobs;
         }
       std::map<std::pair<double, double>, Job> families; // the largest φ last: it is the cheapest
-      const auto family = [&](const std::size_t i) -> Job & {
-        return families[{sweep.cases[i].friction_angle_degrees, sweep.cases[i].material.poisson_ratio}];
+      const auto                               family = [&](const std::size_t i) -> Job                               &{
+        return families[{sweep.cases[i].friction_angle_degrees,
+                         sweep.cases[i].material.poisson_ratio}];
       };
       for (std::size_t i = 0; i < sweep.cases.size(); ++i)
         family(i).members.push_back(i);
@@ -102,7 +108,8 @@ namespace dpcontact
           const std::vector<Solution> solutions = solve_job(sweep, job);
           for (const std::size_t i : job.wanted)
             {
-              const auto position = std::find(job.members.begin(), job.members.end(), i) - job.members.begin();
+              const auto position =
+                std::find(job.members.begin(), job.members.end(), i) - job.members.begin();
               rows.push_back(row_of(sweep.cases[i], solutions[static_cast<std::size_t>(position)]));
             }
         }
@@ -221,7 +228,11 @@ namespace dpcontact
           report(sweep.cases[job.wanted[k]], messages[k], progress);
       };
       run_jobs(
-        numbers, sweep.jobs, [&] { return make_worker(sweep, jobs, rows); }, [](std::size_t) {}, on_end);
+        numbers,
+        sweep.jobs,
+        [&] { return make_worker(sweep, jobs, rows); },
+        [](std::size_t) {},
+        on_end);
     }
 
     Database assemble(const Sweep &sweep, const RowStore &rows)

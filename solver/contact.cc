@@ -28,7 +28,7 @@ namespace dpcontact
     for (const auto &face : discretization.surface())
       for (const auto &point : face.points)
         {
-          const double gap = gap_at(face, point, u, approach);
+          const double gap   = gap_at(face, point, u, approach);
           multipliers[index] = std::max(0., multipliers[index] - stiffness * gap);
           ++index;
         }
@@ -63,7 +63,7 @@ namespace dpcontact
         for (const auto &point : face.points)
           {
             const double gap = gap_at(face, point, u, approach);
-            const double p = enabled ? std::max(0., multipliers[index] - stiffness * gap) : 0.;
+            const double p   = enabled ? std::max(0., multipliers[index] - stiffness * gap) : 0.;
             ++index;
             area += point.weight;
             force += point.weight * p;
@@ -80,10 +80,11 @@ namespace dpcontact
   {
     if (!enabled)
       return 0;
-    double                                 last_touching = 0;
-    std::vector<std::pair<double, double>> whole; // (mean radius, mean pressure) of faces that touch
-    double                                 element = 0;
-    unsigned int                           index   = 0;
+    double last_touching = 0;
+    std::vector<std::pair<double, double>>
+                 whole; // (mean radius, mean pressure) of faces that touch
+    double       element = 0;
+    unsigned int index   = 0;
     for (const auto &face : discretization.surface())
       {
         double area = 0, force = 0, moment = 0, inner = face.points.front().radius, outer = inner;
@@ -91,9 +92,9 @@ namespace dpcontact
         for (const auto &point : face.points)
           {
             const double gap = gap_at(face, point, u, approach);
-            const double p = multipliers[index++] - stiffness * gap;
-            inner          = std::min(inner, point.radius);
-            outer          = std::max(outer, point.radius);
+            const double p   = multipliers[index++] - stiffness * gap;
+            inner            = std::min(inner, point.radius);
+            outer            = std::max(outer, point.radius);
             if (point.weight <= 0)
               continue;
             area += point.weight;

@@ -21,10 +21,10 @@ namespace dpcontact
     /// What the contact adds to the system at one state.
     struct Response
     {
-      double force            = 0; ///< ∫ p dA
-      double force_stiffness  = 0; ///< ∂F/∂d at fixed displacements
-      double max_pressure     = 0;
-      double max_violation    = 0; ///< largest |g| where p > 0
+      double       force           = 0; ///< ∫ p dA
+      double       force_stiffness = 0; ///< ∂F/∂d at fixed displacements
+      double       max_pressure    = 0;
+      double       max_violation   = 0; ///< largest |g| where p > 0
       double       rounding        = 0; ///< residual norm that rounding in ε g cannot go below
       unsigned int active          = 0; ///< nodes with p > 0
     };
@@ -58,9 +58,9 @@ namespace dpcontact
     std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
                                                    double                     approach) const;
 
-    /// Radius of the contact's edge; 0 where nothing touches. It lies within one element beyond the last
-    /// node that touches, where the pressure, extrapolated from the last faces that touch wholly,
-    /// vanishes; p² is taken linear in r² as in Hertz.
+    /// Radius of the contact's edge; 0 where nothing touches. It lies within one element beyond the
+    /// last node that touches, where the pressure, extrapolated from the last faces that touch
+    /// wholly, vanishes; p² is taken linear in r² as in Hertz.
     double edge_radius(const std::vector<double> &u, double approach) const;
 
     /// Contact radius of an elastic sphere at this approach of the plane (Hertz): √(R d).
@@ -77,9 +77,9 @@ namespace dpcontact
 
   private:
     double lowest(const std::vector<double> &u, double least_weight) const;
-    double inward(const typename Discretization<dim>::SurfaceFace &face,
+    double inward(const typename Discretization<dim>::SurfaceFace  &face,
                   const typename Discretization<dim>::SurfacePoint &point,
-                  const std::vector<double>                       &u) const
+                  const std::vector<double>                        &u) const
     {
       double w = 0;
       for (unsigned int i = 0; i < face.unknowns.size(); ++i)
@@ -105,17 +105,16 @@ namespace dpcontact
 
   template <int dim>
   template <class AddStiffness>
-  typename Contact<dim>::Response
-  Contact<dim>::evaluate(const std::vector<double> &u,
-                         const double               approach,
-                         std::vector<double>       &residual,
-                         std::vector<double>       &approach_derivative,
-                         const AddStiffness        &add_stiffness) const
+  typename Contact<dim>::Response Contact<dim>::evaluate(const std::vector<double> &u,
+                                                         const double               approach,
+                                                         std::vector<double>       &residual,
+                                                         std::vector<double> &approach_derivative,
+                                                         const AddStiffness  &add_stiffness) const
   {
     Response     response;
     double       squared_weights = 0;
     unsigned int index           = 0;
-    const auto  &faces = discretization.surface();
+    const auto  &faces           = discretization.surface();
     if (!enabled)
       return response;
     for (unsigned int f = 0; f < n_evaluated; ++f)
@@ -124,15 +123,15 @@ namespace dpcontact
         for (const auto &point : face.points)
           {
             const double gap = gap_at(face, point, u, approach);
-            const double p = multipliers[index++] - stiffness * gap;
+            const double p   = multipliers[index++] - stiffness * gap;
             if (p <= 0 || point.weight <= 0) // the node on the axis has no area
               continue;
             squared_weights += point.weight * point.weight;
             ++response.active;
             response.force += p * point.weight;
-            response.max_pressure    = std::max(response.max_pressure, p);
-            response.max_violation   = std::max(response.max_violation, std::abs(gap));
-            const double k = stiffness * point.weight;
+            response.max_pressure  = std::max(response.max_pressure, p);
+            response.max_violation = std::max(response.max_violation, std::abs(gap));
+            const double k         = stiffness * point.weight;
             response.force_stiffness += k;
             // Moving the surface outwards by value[i] raises p by ε value[i].
             for (unsigned int i = 0; i < face.unknowns.size(); ++i)

@@ -10,9 +10,10 @@ namespace dpcontact
 
   namespace
   {
-    constexpr double core_growth = 1.6;  ///< ratio of the radii of successive cores
-    constexpr double core_margin = 0.85; ///< share of a core's radius that may be used before it grows
-  } // namespace
+    constexpr double core_growth = 1.6; ///< ratio of the radii of successive cores
+    constexpr double core_margin =
+      0.85; ///< share of a core's radius that may be used before it grows
+  }         // namespace
 
   template <int dim>
   ContactSystem<dim>::ContactSystem(const Discretization<dim> &discretization,
@@ -117,7 +118,8 @@ namespace dpcontact
   }
 
   template <int dim>
-  void ContactSystem<dim>::set_control(const Control control_, const double target_, const double scale)
+  void
+  ContactSystem<dim>::set_control(const Control control_, const double target_, const double scale)
   {
     control        = control_;
     target         = target_;
@@ -291,7 +293,8 @@ namespace dpcontact
       approach_derivative,
       [this](const unsigned int face, const std::vector<double> &value, const double k) {
         if (contact_blocks.empty() || contact_blocks.back().first != face)
-          contact_blocks.emplace_back(face, std::vector<double>(core->surface_positions[face].size()));
+          contact_blocks.emplace_back(face,
+                                      std::vector<double>(core->surface_positions[face].size()));
         double *entry = contact_blocks.back().second.data();
         for (std::size_t i = 0; i < value.size(); ++i)
           for (std::size_t j = i; j < value.size(); ++j, ++entry)
@@ -309,9 +312,9 @@ namespace dpcontact
   template <int dim>
   bool ContactSystem<dim>::factorize_tangent()
   {
-    // An iterate far from equilibrium may have points at the apex, or a mechanism of perfectly plastic
-    // ones, that resist nothing. Then a share of the elastic stiffness leads on; no converged state
-    // needs it.
+    // An iterate far from equilibrium may have points at the apex, or a mechanism of perfectly
+    // plastic ones, that resist nothing. Then a share of the elastic stiffness leads on; no
+    // converged state needs it.
     assemble_tangent();
     for (const double share : {0., 1e-4, 1e-2, 1.})
       {
@@ -351,7 +354,9 @@ namespace dpcontact
   }
 
   template <int dim>
-  void ContactSystem<dim>::solve(const std::vector<double> &b, const double factor, std::vector<double> &x)
+  void ContactSystem<dim>::solve(const std::vector<double> &b,
+                                 const double               factor,
+                                 std::vector<double>       &x)
   {
     const auto &unknowns = core->unknowns;
     core_rhs.resize(unknowns.size());
@@ -366,9 +371,8 @@ namespace dpcontact
   template <int dim>
   double ContactSystem<dim>::slope() const
   {
-    double product = control == Control::force ?
-                       approach_step * (contact_response.force - target) :
-                       0.;
+    double product =
+      control == Control::force ? approach_step * (contact_response.force - target) : 0.;
     for (std::size_t i = 0; i < step.size(); ++i)
       product += step[i] * rhs[i];
     return product;
@@ -406,8 +410,8 @@ namespace dpcontact
   template <int dim>
   typename ContactSystem<dim>::Integrals ContactSystem<dim>::commit()
   {
-    Integrals   result;
-    std::size_t index = 0;
+    Integrals    result;
+    std::size_t  index = 0;
     const double shear = law.shear_modulus, bulk = law.bulk_modulus;
     for (const auto &cell : space.cells())
       for (const auto &point : cell.points)

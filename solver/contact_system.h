@@ -13,8 +13,8 @@ namespace dpcontact
 {
   /// Equilibrium of one half-space under the mirror plane: residual, tangent, history.
   ///
-  /// Unknowns are the free displacements u and the plane's approach d; one scalar equation closes the
-  /// system, either d = given or F(u, d) = given. The tangent is that of everything: material
+  /// Unknowns are the free displacements u and the plane's approach d; one scalar equation closes
+  /// the system, either d = given or F(u, d) = given. The tangent is that of everything: material
   /// (consistent), contact, far field, and the scalar equation (by block elimination).
   template <int dim>
   class ContactSystem
@@ -43,21 +43,21 @@ namespace dpcontact
     /// Integrals over the body at the state last evaluated, of one sphere.
     struct Integrals
     {
-      double       plastic_volume      = 0;
-      double       dissipation         = 0; ///< ∫ σₙ₊₁:Δεᵖ dV of the step
-      double       elastic_energy      = 0;
-      double       plastic_strain_max  = 0;
-      unsigned int apex_points         = 0;
+      double       plastic_volume       = 0;
+      double       dissipation          = 0; ///< ∫ σₙ₊₁:Δεᵖ dV of the step
+      double       elastic_energy       = 0;
+      double       plastic_strain_max   = 0;
+      unsigned int apex_points          = 0;
       double       largest_yield_excess = 0; ///< max f/k over the points
     };
 
     /// @param condensed solve for a core that grows with contact and plastic zone (core.h), the rest
     /// condensed; otherwise for the whole body.
-    ContactSystem(const Discretization<dim>  &discretization,
-                  const laws::DruckerPrager  &law,
-                  const Profile              &profile,
-                  double                      penalty_stiffness,
-                  bool                        condensed = false);
+    ContactSystem(const Discretization<dim> &discretization,
+                  const laws::DruckerPrager &law,
+                  const Profile             &profile,
+                  double                     penalty_stiffness,
+                  bool                       condensed = false);
 
     /// To be called on a converged step before commit(): brings what lies outside the core to
     /// equilibrium. @return false where it yields or touches there: then the core must grow() and
@@ -88,16 +88,19 @@ namespace dpcontact
     /// ∂(residual)/∂d = ∂F/∂u at the iterate last evaluated.
     const std::vector<double> &residual_by_approach() const { return approach_derivative; }
 
-    double force() const { return contact_response.force; }
+    double                                 force() const { return contact_response.force; }
     const typename Contact<dim>::Response &contact_state() const { return contact_response; }
-    Contact<dim>       &contact() { return contact_condition; }
-    const Contact<dim> &contact() const { return contact_condition; }
+    Contact<dim>                          &contact() { return contact_condition; }
+    const Contact<dim>                    &contact() const { return contact_condition; }
 
     std::vector<double> u;
     double              approach = 0;
 
-    Snapshot snapshot() const { return {u, approach, contact_condition.multipliers, history, accumulated}; }
-    void     restore(const Snapshot &saved);
+    Snapshot snapshot() const
+    {
+      return {u, approach, contact_condition.multipliers, history, accumulated};
+    }
+    void restore(const Snapshot &saved);
     /// Back to the virgin state.
     void reset();
 
@@ -124,9 +127,9 @@ namespace dpcontact
                     const TangentOfPoint                     &tangent,
                     std::vector<double>                      &block) const;
 
-    const Discretization<dim> &space;
-    laws::DruckerPrager        law;
-    Contact<dim>               contact_condition;
+    const Discretization<dim>      &space;
+    laws::DruckerPrager             law;
+    Contact<dim>                    contact_condition;
     typename Contact<dim>::Response contact_response;
 
     Control control        = Control::approach;
@@ -136,16 +139,17 @@ namespace dpcontact
     using TangentMatrix =
       std::array<std::array<double, Kinematics<dim>::n_strains>, Kinematics<dim>::n_strains>;
 
-    std::vector<double>              core_radii; ///< of the cores, growing
-    std::vector<std::unique_ptr<Core<dim>>> cores; ///< made when they are first needed
-    std::size_t                      stage = 0;
-    Core<dim>                       *core  = nullptr; ///< the present one
+    std::vector<double>                     core_radii; ///< of the cores, growing
+    std::vector<std::unique_ptr<Core<dim>>> cores;      ///< made when they are first needed
+    std::size_t                             stage = 0;
+    Core<dim>                              *core  = nullptr; ///< the present one
 
     TangentMatrix                    elastic_tangent{};
     std::vector<std::vector<double>> elastic_blocks; ///< of every cell
     std::vector<unsigned int>        first_point;    ///< of every cell
     std::vector<TangentMatrix>       tangents;       ///< of the points off the elastic branch
-    std::vector<std::pair<unsigned int, std::vector<double>>> contact_blocks; ///< (surface face, block)
+    std::vector<std::pair<unsigned int, std::vector<double>>>
+      contact_blocks; ///< (surface face, block)
 
     // Over all free unknowns; zero outside the core.
     std::vector<double> rhs, approach_derivative;
@@ -154,10 +158,10 @@ namespace dpcontact
     std::vector<double> core_rhs, core_solution;
     double              approach_step = 0;
 
-    std::vector<State>                        history, trial;
-    std::vector<double>                       accumulated;
-    std::vector<laws::DruckerPrager::Branch>  branch;
-    std::vector<laws::StressTensor>           stress;
+    std::vector<State>                       history, trial;
+    std::vector<double>                      accumulated;
+    std::vector<laws::DruckerPrager::Branch> branch;
+    std::vector<laws::StressTensor>          stress;
   };
 } // namespace dpcontact
 

@@ -170,15 +170,16 @@ namespace dpcontact
         K_EE.value[K_EE.position(far, far)] += space.exterior_stiffness();
       }
 
-    CholeskySolver      elastic(K_EE);
-    const bool          definite = elastic.factorize(K_EE);
+    CholeskySolver elastic(K_EE);
+    const bool     definite = elastic.factorize(K_EE);
     Assert(definite, dealii::ExcInternalError());
     (void)definite;
     recovery.resize(n_exterior * n);
     std::vector<double> column(n_exterior), solved;
     for (std::size_t j = 0; j < n; ++j)
       {
-        std::copy_n(K_EI.begin() + static_cast<std::ptrdiff_t>(j * n_exterior), n_exterior, column.begin());
+        std::copy_n(
+          K_EI.begin() + static_cast<std::ptrdiff_t>(j * n_exterior), n_exterior, column.begin());
         elastic.solve(column, solved);
         for (std::size_t e = 0; e < n_exterior; ++e)
           recovery[j * n_exterior + e] = -solved[e];
@@ -197,7 +198,8 @@ namespace dpcontact
   }
 
   template <int dim>
-  void Core<dim>::add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const
+  void Core<dim>::add_exterior_force(const std::vector<double> &u,
+                                     std::vector<double>       &residual) const
   {
     residual[far_unknown] += far_stiffness * u[far_unknown];
     const std::size_t n = shared.size();

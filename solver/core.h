@@ -9,11 +9,12 @@
 
 namespace dpcontact
 {
-  /// The part of the body that a step is solved for: the cells within a radius of the contact's centre.
+  /// The part of the body that a step is solved for: the cells within a radius of the contact's
+  /// centre.
   ///
-  /// The rest stays elastic and untouched while the core holds (the system checks that after every step),
-  /// so it is condensed statically onto the unknowns that it shares with the core: with the rest's
-  /// stiffness K, E its own unknowns and I the shared ones,
+  /// The rest stays elastic and untouched while the core holds (the system checks that after every
+  /// step), so it is condensed statically onto the unknowns that it shares with the core: with the
+  /// rest's stiffness K, E its own unknowns and I the shared ones,
   ///   S = K_II − K_IE K_EE⁻¹ K_EI,   u_E = −K_EE⁻¹ K_EI u_I.
   /// The solution is that of the whole body to rounding.
   template <int dim>
@@ -34,11 +35,11 @@ namespace dpcontact
     std::vector<unsigned int> unknowns; ///< free unknown of each of its unknowns, ascending
     unsigned int              n_faces;  ///< its faces are the first n_faces of the surface
 
-    SymmetricMatrix               matrix;            ///< tangent, over its unknowns
-    std::vector<double>           elastic_values;    ///< of `matrix`, without plasticity and contact
-    std::vector<std::vector<int>> cell_positions;    ///< upper triangle of each of its cells' blocks
-    std::vector<std::vector<int>> surface_positions; ///< likewise of its faces
-    std::unique_ptr<CholeskySolver> solver;          ///< of `matrix`
+    SymmetricMatrix                 matrix;         ///< tangent, over its unknowns
+    std::vector<double>             elastic_values; ///< of `matrix`, without plasticity and contact
+    std::vector<std::vector<int>>   cell_positions; ///< upper triangle of each of its cells' blocks
+    std::vector<std::vector<int>>   surface_positions; ///< likewise of its faces
+    std::unique_ptr<CholeskySolver> solver;            ///< of `matrix`
 
     /// Adds what the elastic rest resists with to `residual` (over all free unknowns).
     void add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const;
@@ -51,7 +52,7 @@ namespace dpcontact
     void        condense(const Discretization<dim>              &space,
                          const std::vector<std::vector<double>> &elastic_blocks,
                          const std::vector<unsigned int>        &core_index);
-    void        build_pattern(const Discretization<dim> &space,
+    void        build_pattern(const Discretization<dim>       &space,
                               const std::vector<unsigned int> &core_index);
 
     std::vector<unsigned int> shared;    ///< free unknowns that core and rest share

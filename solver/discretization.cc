@@ -42,7 +42,8 @@ namespace dpcontact
     dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
 
     // On the axis u_r = 0; in space the symmetry planes x = 0 and y = 0 carry the same id.
-    std::map<dealii::types::global_dof_index, std::pair<unsigned int, dealii::Point<dim>>> far_nodes;
+    std::map<dealii::types::global_dof_index, std::pair<unsigned int, dealii::Point<dim>>>
+                                                 far_nodes;
     std::vector<dealii::types::global_dof_index> on_face(fe.n_dofs_per_face());
     for (const auto &cell : dofs.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -55,8 +56,8 @@ namespace dpcontact
                 const unsigned int component = fe.face_system_to_component_index(i, f).first;
                 if (id == boundary::axis)
                   {
-                    const dealii::Tensor<1, dim> n = dealii::Tensor<1, dim>(
-                      cell->face(f)->center() - cell->center());
+                    const dealii::Tensor<1, dim> n =
+                      dealii::Tensor<1, dim>(cell->face(f)->center() - cell->center());
                     unsigned int across = 0;
                     for (int k = 1; k + 1 < dim; ++k)
                       if (std::abs(n[k]) > std::abs(n[across]))
@@ -67,10 +68,11 @@ namespace dpcontact
                 else if (id == boundary::far)
                   {
                     const unsigned int local = fe.face_to_cell_index(i, f);
-                    const auto         unit = fe.unit_support_point(local);
+                    const auto         unit  = fe.unit_support_point(local);
                     far_nodes[on_face[i]]    = {
-                      component,
-                      dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(cell, unit)};
+                         component,
+                         dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(cell,
+                                                                                        unit)};
                   }
               }
           }
@@ -81,7 +83,8 @@ namespace dpcontact
     auto master = far_nodes.end();
     for (auto node = far_nodes.begin(); node != far_nodes.end(); ++node)
       if (node->second.first == dim - 1 &&
-          (master == far_nodes.end() || radius(node->second.second) < radius(master->second.second)))
+          (master == far_nodes.end() ||
+           radius(node->second.second) < radius(master->second.second)))
         master = node;
     const double unit = far_field.displacement(master->second.second)[dim - 1];
     amplitude         = 1 / unit;
@@ -90,9 +93,8 @@ namespace dpcontact
       if (index != master->first && !constraints.is_constrained(index))
         {
           constraints.add_line(index);
-          constraints.add_entry(index,
-                                master->first,
-                                far_field.displacement(node.second)[node.first] / unit);
+          constraints.add_entry(
+            index, master->first, far_field.displacement(node.second)[node.first] / unit);
         }
 
     if (element == Element::serendipity_reduced)
@@ -106,8 +108,8 @@ namespace dpcontact
             for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
               {
                 const auto [component, node] = fe.system_to_component_index(i);
-                const auto         centre    = scalar.unit_support_point(node);
-                const auto is_middle = [](const double x) { return std::abs(x - 0.5) < 0.25; };
+                const auto   centre          = scalar.unit_support_point(node);
+                const auto   is_middle = [](const double x) { return std::abs(x - 0.5) < 0.25; };
                 unsigned int free_directions = 0;
                 for (int k = 0; k < dim; ++k)
                   free_directions += is_middle(centre[k]) ? 1u : 0u;
@@ -150,8 +152,8 @@ namespace dpcontact
     Expansion                            expansion;
     std::map<unsigned int, unsigned int> position;
     const auto                           place = [&](const dealii::types::global_dof_index dof) {
-      const auto [entry, is_new] = position.try_emplace(
-        free_index[dof], static_cast<unsigned int>(expansion.unknowns.size()));
+      const auto [entry, is_new] =
+        position.try_emplace(free_index[dof], static_cast<unsigned int>(expansion.unknowns.size()));
       if (is_new)
         expansion.unknowns.push_back(free_index[dof]);
       return entry->second;
@@ -169,8 +171,8 @@ namespace dpcontact
   template <int dim>
   void Discretization<dim>::build_cells()
   {
-    const dealii::QGauss<dim> quadrature(quadrature_points);
-    dealii::FEValues<dim>     values(fe,
+    const dealii::QGauss<dim>                    quadrature(quadrature_points);
+    dealii::FEValues<dim>                        values(fe,
                                  quadrature,
                                  dealii::update_values | dealii::update_gradients |
                                    dealii::update_quadrature_points | dealii::update_JxW_values);
@@ -191,11 +193,10 @@ namespace dpcontact
             point.strain.assign(result.unknowns.size(), StrainRow{});
             for (unsigned int i = 0; i < local.size(); ++i)
               {
-                const StrainRow row =
-                  Kinematics<dim>::strain(fe.system_to_component_index(i).first,
-                                          values.shape_value(i, q),
-                                          values.shape_grad(i, q),
-                                          point.position);
+                const StrainRow row = Kinematics<dim>::strain(fe.system_to_component_index(i).first,
+                                                              values.shape_value(i, q),
+                                                              values.shape_grad(i, q),
+                                                              point.position);
                 for (const auto &[k, weight] : expansion.terms[i])
                   for (unsigned int s = 0; s < n_strains; ++s)
                     point.strain[k][s] += weight * row[s];
@@ -209,8 +210,8 @@ namespace dpcontact
   template <int dim>
   void Discretization<dim>::build_surface()
   {
-    const dealii::QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
-    dealii::FEFaceValues<dim>     values(fe,
+    const dealii::QGaussLobatto<dim - 1>         quadrature(fe.degree + 1);
+    dealii::FEFaceValues<dim>                    values(fe,
                                      quadrature,
                                      dealii::update_values | dealii::update_quadrature_points |
                                        dealii::update_JxW_values | dealii::update_normal_vectors);
@@ -273,8 +274,9 @@ namespace dpcontact
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 const auto &p = values.quadrature_point(q);
-                work += values.JxW(q) * Kinematics<dim>::measure(p) *
-                        (far_field.displacement(p) * far_field.traction(p, values.normal_vector(q)));
+                work +=
+                  values.JxW(q) * Kinematics<dim>::measure(p) *
+                  (far_field.displacement(p) * far_field.traction(p, values.normal_vector(q)));
               }
           }
     exterior = -work * amplitude * amplitude;

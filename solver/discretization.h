@@ -18,9 +18,9 @@ namespace dpcontact
 {
   /// Everything of the finite-element system that no material state touches, computed once a mesh.
   ///
-  /// Constrained degrees of freedom (hanging nodes, serendipity centres, axis or symmetry planes, and
-  /// the far boundary, which follows Boussinesq's field with one amplitude) are eliminated cell by
-  /// cell: strains are given directly in the free unknowns, numbered 0 … n_free()−1.
+  /// Constrained degrees of freedom (hanging nodes, serendipity centres, axis or symmetry planes,
+  /// and the far boundary, which follows Boussinesq's field with one amplitude) are eliminated cell
+  /// by cell: strains are given directly in the free unknowns, numbered 0 … n_free()−1.
   template <int dim>
   class Discretization
   {
@@ -42,13 +42,13 @@ namespace dpcontact
     };
 
     /// A quadrature point of the surface: the inward displacement is −Σ value[i] u[unknowns[i]].
-    /// The points are the face's nodes (Gauss–Lobatto): then every pressure has a nodal force of its
-    /// own, whereas Gauss points leave patterns of pressure that no node feels, and that drift.
+    /// The points are the face's nodes (Gauss–Lobatto): then every pressure has a nodal force of
+    /// its own, whereas Gauss points leave patterns of pressure that no node feels, and that drift.
     struct SurfacePoint
     {
       double              radius;
       double              weight; ///< area seen along the axis, on which the pressure acts
-      std::vector<double> value; ///< of the normal displacement at unit unknown
+      std::vector<double> value;  ///< of the normal displacement at unit unknown
     };
 
     struct SurfaceFace
@@ -88,8 +88,9 @@ namespace dpcontact
     /// Unknowns that a cell's or face's nodal values depend on, and the weights.
     struct Expansion
     {
-      std::vector<unsigned int>                                 unknowns;
-      std::vector<std::vector<std::pair<unsigned int, double>>> terms; ///< per nodal value: (position, weight)
+      std::vector<unsigned int> unknowns;
+      std::vector<std::vector<std::pair<unsigned int, double>>>
+        terms; ///< per nodal value: (position, weight)
     };
     Expansion expand(const std::vector<dealii::types::global_dof_index> &nodal) const;
 

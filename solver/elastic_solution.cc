@@ -21,9 +21,8 @@ namespace dpcontact
     }
   } // namespace
 
-  Solution elastic_solution(const Material    &material,
-                            const Scene       &scene,
-                            const unsigned int loading_steps)
+  Solution
+  elastic_solution(const Material &material, const Scene &scene, const unsigned int loading_steps)
   {
     Solution solution;
     solution.yield = first_yield(material, scene.radius);
@@ -36,10 +35,10 @@ namespace dpcontact
     solution.curve.unloading.assign(solution.curve.loading.rbegin(), solution.curve.loading.rend());
     solution.coarser_steps = solution.curve;
 
-    const CurvePoint      &peak    = solution.curve.loading.back();
-    const double           a       = peak.contact_radius;
-    constexpr unsigned int n       = 80; // points across the contact
-    solution.mesh_radius           = a;
+    const CurvePoint      &peak = solution.curve.loading.back();
+    const double           a    = peak.contact_radius;
+    constexpr unsigned int n    = 80; // points across the contact
+    solution.mesh_radius        = a;
     for (unsigned int i = 0; i < n; ++i)
       {
         const double x = (i + 0.5) / n;

@@ -18,9 +18,9 @@ namespace dpcontact
   /// The name by which an element is asked for.
   inline const char *to_string(const Element element)
   {
-    return element == Element::serendipity_reduced ? "serendipity" :
-           element == Element::quadratic_full      ? "quadratic" :
-                                                     "linear";
+    return element == Element::serendipity_reduced ? "serendipity"
+           : element == Element::quadratic_full    ? "quadratic"
+                                                   : "linear";
   }
 
   /// @throws InputError where `name` is none of the names that to_string() gives.
@@ -30,7 +30,8 @@ namespace dpcontact
          {Element::serendipity_reduced, Element::quadratic_full, Element::linear_full})
       if (name == to_string(element))
         return element;
-    throw InputError("element = '" + name + "' is unknown; it must be serendipity, quadratic or linear");
+    throw InputError("element = '" + name +
+                     "' is unknown; it must be serendipity, quadratic or linear");
   }
 } // namespace dpcontact
 

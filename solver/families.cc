@@ -20,11 +20,13 @@ namespace dpcontact
     /// contact radius grows like F^⅓ to F^½.
     constexpr double least_load_ratio = 1. / 6;
 
-    /// Excess of the approach over Hertz's at a path's first stop, about, as a share of that at its last.
+    /// Excess of the approach over Hertz's at a path's first stop, about, as a share of that at its
+    /// last.
     constexpr double share_at_first_stop = 0.7;
 
-    /// Largest step of ln τ, τ = (F/F_max)^⅓, of the coarse path where the approach is `ratio` times Hertz's.
-    /// What the step leaves after extrapolation grows with that excess and with the step.
+    /// Largest step of ln τ, τ = (F/F_max)^⅓, of the coarse path where the approach is `ratio`
+    /// times Hertz's. What the step leaves after extrapolation grows with that excess and with the
+    /// step.
     double step_size(const double ratio)
     {
       return std::clamp(0.006 / std::max(ratio - 1, 1e-9), 1. / 64, 1. / 14);
@@ -67,8 +69,9 @@ namespace dpcontact
     Curve curve_of(const HalfSpaceModel::BranchedRun &run, const std::size_t stop)
     {
       const auto &at = run.stops[stop];
-      return {{run.loading.begin(), run.loading.begin() + static_cast<std::ptrdiff_t>(at.loading_points)},
-              at.unloading};
+      return {
+        {run.loading.begin(), run.loading.begin() + static_cast<std::ptrdiff_t>(at.loading_points)},
+        at.unloading};
     }
 
     /// A loading path with its unloading branches, and the same with halved steps.
@@ -92,20 +95,22 @@ namespace dpcontact
       HalfSpaceModel model(top.material, top.scene, used, pilot.contact_radius);
 
       // To the first stop equal steps of τ, later equal steps of ln τ.
-      const double first_step = stops.front() * step_size(1 + share_at_first_stop * (pilot.approach - 1));
-      double       approach_ratio = 1;
+      const double first_step =
+        stops.front() * step_size(1 + share_at_first_stop * (pilot.approach - 1));
+      double                    approach_ratio = 1;
       std::vector<unsigned int> unloading_steps;
 
       HalfSpaceModel::Levels levels;
       levels.stops = stops;
       levels.next  = [&](const double level, const double ratio, const double stop) {
-        approach_ratio     = ratio;
-        const double n     = level < stops.front() * (1 - 1e-12) ?
-                               std::ceil((stop - level) / first_step - 1e-9) :
-                               std::ceil(std::log(stop / level) / step_size(ratio) - 1e-9);
+        approach_ratio = ratio;
+        const double n = level < stops.front() * (1 - 1e-12)
+                            ? std::ceil((stop - level) / first_step - 1e-9)
+                            : std::ceil(std::log(stop / level) / step_size(ratio) - 1e-9);
         if (n <= 1)
           return stop;
-        return level < stops.front() ? level + (stop - level) / n : level * std::pow(stop / level, 1 / n);
+        return level < stops.front() ? level + (stop - level) / n
+                                      : level * std::pow(stop / level, 1 / n);
       };
       levels.unloading_steps = [&](std::size_t) {
         const double steps = std::clamp(0.5 / step_size(approach_ratio), 8., 16.);
@@ -139,20 +144,22 @@ namespace dpcontact
                      const double                       load_level)
     {
       const double force = computed.scene.force_max * load_level / computed_load_level;
-      const auto   above = std::lower_bound(run.loading.begin(),
-                                          run.loading.end(),
-                                          force,
-                                          [](const CurvePoint &point, const double value) {
-                                            return point.force < value;
-                                          });
-      const double ratio = above->approach / hertz::approach(computed.material, computed.scene.radius, above->force);
+      const auto   above = std::lower_bound(
+        run.loading.begin(),
+        run.loading.end(),
+        force,
+        [](const CurvePoint &point, const double value) { return point.force < value; });
+      const double ratio =
+        above->approach / hertz::approach(computed.material, computed.scene.radius, above->force);
       const Scales scales(first_yield(other.material, other.scene.radius),
                           first_yield(computed.material, computed.scene.radius));
       return {above->contact_radius * std::cbrt(force / above->force) * scales.length, ratio};
     }
 
-    /// Extrapolated curve, its error and the profile of a stop, for the member whose scales are given.
-    void enter(const PathPair &paths, const std::size_t stop, const Scales &scales, Solution &solution)
+    /// Extrapolated curve, its error and the profile of a stop, for the member whose scales are
+    /// given.
+    void
+    enter(const PathPair &paths, const std::size_t stop, const Scales &scales, Solution &solution)
     {
       const Curve coarse = curve_of(paths.coarse, stop), fine = curve_of(paths.fine, stop);
       solution.curve         = extrapolate_steps(coarse, fine);
@@ -200,7 +207,8 @@ namespace dpcontact
     options.check();
     check_family(members);
     if (options.mesh != MeshKind::fitted || options.surface != Surface::parabola)
-      throw InputError("families need mesh = fitted and surface = parabola: others are not similar");
+      throw InputError(
+        "families need mesh = fitted and surface = parabola: others are not similar");
 
     std::vector<Solution>    solutions(members.size());
     std::vector<double>      load_level(members.size());
@@ -211,7 +219,7 @@ namespace dpcontact
         load_level[i]          = members[i].scene.force_max / yield.force;
         if (options.closed_form && members[i].scene.force_max <= yield.onset_force())
           {
-            solutions[i]      = elastic_solution(members[i].material, members[i].scene, elastic_steps);
+            solutions[i] = elastic_solution(members[i].material, members[i].scene, elastic_steps);
             solutions[i].used = options;
           }
         else
@@ -230,7 +238,8 @@ namespace dpcontact
         const double        most = load_level[plastic.back()];
         Cost                cost;
         if (!pilot)
-          pilot = run_pilots(top.material, top.scene, solutions[plastic.back()].yield, cost, observer);
+          pilot =
+            run_pilots(top.material, top.scene, solutions[plastic.back()].yield, cost, observer);
         auto first = plastic.end() - 1;
         while (first != plastic.begin() &&
                load_level[*(first - 1)] >= most * std::pow(least_load_ratio, 1. + options.octaves))
@@ -251,7 +260,8 @@ namespace dpcontact
             solution.cost        = share(cost, served.size());
           }
         if (!plastic.empty())
-          pilot = pilot_from(paths.fine, top, most, members[plastic.back()], load_level[plastic.back()]);
+          pilot =
+            pilot_from(paths.fine, top, most, members[plastic.back()], load_level[plastic.back()]);
       }
 
     const double seconds =

@@ -20,7 +20,8 @@ namespace dpcontact
   {
     const double a = mesh_radius, E = material.youngs_modulus, nu = material.poisson_ratio;
     const bool   si = options.units == Units::si;
-    unit_system     = si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / scene.radius, E * a / scene.radius};
+    unit_system =
+      si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / scene.radius, E * a / scene.radius};
 
     if (options.mesh == MeshKind::published)
       {
@@ -32,12 +33,12 @@ namespace dpcontact
     else
       {
         Zones zones;
-        zones.resolution    = options.resolution;
-        zones.level         = options.level;
+        zones.resolution       = options.resolution;
+        zones.level            = options.level;
         zones.surface_halvings = options.surface_halvings.value_or(0);
-        zones.domain_radius = options.domain_radius;
-        zones.stretch       = options.mesh_stretch;
-        zones.octaves       = options.octaves;
+        zones.domain_radius    = options.domain_radius;
+        zones.stretch          = options.mesh_stretch;
+        zones.octaves          = options.octaves;
         make_zoned_mesh(zones, triangulation);
       }
     const bool curved = options.surface == Surface::sphere;
@@ -56,16 +57,14 @@ namespace dpcontact
       laws::drucker_prager_strength(material.friction_angle, material.compressive_strength) /
       unit_system.stress;
 
-    space = std::make_unique<Discretization<2>>(triangulation,
-                                                BoussinesqField<2>(modulus, nu),
-                                                options.element);
-    contact_system =
-      std::make_unique<ContactSystem<2>>(*space,
-                                         law,
-                                         Profile(si ? scene.radius : 1.,
-                                                 curved ? (si ? 1 : a) / scene.radius : 0.),
-                                         options.penalty_stiffness * (si ? E / a : 1.),
-                                         options.condensation);
+    space = std::make_unique<Discretization<2>>(
+      triangulation, BoussinesqField<2>(modulus, nu), options.element);
+    contact_system = std::make_unique<ContactSystem<2>>(
+      *space,
+      law,
+      Profile(si ? scene.radius : 1., curved ? (si ? 1 : a) / scene.radius : 0.),
+      options.penalty_stiffness * (si ? E / a : 1.),
+      options.condensation);
   }
 
   LoadPath<2> HalfSpaceModel::start_path(const unsigned int  loading_steps,
@@ -111,11 +110,12 @@ namespace dpcontact
     return curve;
   }
 
-  HalfSpaceModel::BranchedRun HalfSpaceModel::run(const Levels &levels, const StepObserver &observer)
+  HalfSpaceModel::BranchedRun HalfSpaceModel::run(const Levels       &levels,
+                                                  const StepObserver &observer)
   {
     BranchedRun run;
-    LoadPath<2> path = start_path(1, observer);
-    std::size_t stop = 0;
+    LoadPath<2> path     = start_path(1, observer);
+    std::size_t stop     = 0;
     const auto  at_level = [&](const double level) {
       run.levels.push_back(level);
       while (stop < levels.stops.size() && level >= levels.stops[stop] * (1 - 1e-12))
@@ -129,7 +129,8 @@ namespace dpcontact
           ++stop;
         }
     };
-    const double guess = peak_approach_guess / unit_system.displacement; // of one sphere, at the peak
+    const double guess =
+      peak_approach_guess / unit_system.displacement; // of one sphere, at the peak
     run.loading = path.load(
       scene.force_max / unit_system.force(),
       guess,
@@ -147,7 +148,8 @@ namespace dpcontact
   std::vector<PressurePoint> HalfSpaceModel::profile() const
   {
     std::vector<PressurePoint> result;
-    for (const auto &[r, p] : contact_system->contact().profile(contact_system->u, contact_system->approach))
+    for (const auto &[r, p] :
+         contact_system->contact().profile(contact_system->u, contact_system->approach))
       if (p > 0)
         result.push_back({r * unit_system.length, p * unit_system.stress});
     return result;

@@ -14,9 +14,9 @@ namespace dpcontact
 {
   /// The units in which a model is solved, as factors to SI.
   ///
-  /// Scaled: lengths by the contact radius a, displacements by a²/R, stresses by E a/R, and E, a, R are 1.
-  /// Small strain lets lengths and displacements have units of their own; a/R then
-  /// drops out, and only ν, φ and the load level stay. A sphere's surface brings a/R back, as the
+  /// Scaled: lengths by the contact radius a, displacements by a²/R, stresses by E a/R, and E, a, R
+  /// are 1. Small strain lets lengths and displacements have units of their own; a/R then drops
+  /// out, and only ν, φ and the load level stay. A sphere's surface brings a/R back, as the
   /// curvature of the mesh and in the gap, and nowhere else.
   struct UnitSystem
   {
@@ -25,9 +25,9 @@ namespace dpcontact
     double energy() const { return force() * displacement; }
   };
 
-  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of. The body is
-  /// the half-space, or the sphere's cap within the far boundary where options.surface says so; beyond
-  /// the far boundary the half-space's exterior serves both.
+  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of. The
+  /// body is the half-space, or the sphere's cap within the far boundary where options.surface says
+  /// so; beyond the far boundary the half-space's exterior serves both.
   class HalfSpaceModel
   {
   public:
@@ -38,7 +38,8 @@ namespace dpcontact
                    const SolverOptions &options,
                    double               mesh_radius);
 
-    /// Runs the whole path with `loading_steps` steps up and half as many down, from the virgin state.
+    /// Runs the whole path with `loading_steps` steps up and half as many down, from the virgin
+    /// state.
     /// @param at_peak called at the peak, @param at_end after release; may be empty.
     Curve run(unsigned int                 loading_steps,
               const StepObserver          &observer,
@@ -53,7 +54,8 @@ namespace dpcontact
     {
       std::vector<double> stops; ///< (F/F_max)^⅓ where to unload, ascending; the last is 1
       std::function<unsigned int(std::size_t stop)> unloading_steps;
-      /// The next level after `level`, at most the next stop. `approach_ratio`: δ over Hertz's at `level`.
+      /// The next level after `level`, at most the next stop. `approach_ratio`: δ over Hertz's at
+      /// `level`.
       std::function<double(double level, double approach_ratio, double stop)> next;
     };
     struct BranchedRun
@@ -73,11 +75,11 @@ namespace dpcontact
     /// Contact pressure of the present state, from the axis outwards, where it is positive.
     std::vector<PressurePoint> profile() const;
 
-    const UnitSystem                 &units() const { return unit_system; }
-    const ContactSystem<2>           &system() const { return *contact_system; }
-    const Discretization<2>          &discretization() const { return *space; }
-    const LoadPath<2>::Counters      &counters() const { return counted; }
-    const MeshQuality                &quality() const { return mesh_quality; }
+    const UnitSystem            &units() const { return unit_system; }
+    const ContactSystem<2>      &system() const { return *contact_system; }
+    const Discretization<2>     &discretization() const { return *space; }
+    const LoadPath<2>::Counters &counters() const { return counted; }
+    const MeshQuality           &quality() const { return mesh_quality; }
 
   private:
     LoadPath<2> start_path(unsigned int loading_steps, const StepObserver &observer);

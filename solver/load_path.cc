@@ -22,9 +22,9 @@ namespace dpcontact
   bool LoadPath<dim>::try_step(const Control control, const double target)
   {
     // While unloading the residual stresses stay, whose rounding the load itself does not measure.
-    const double scale = control != Control::force ? peak_force :
-                         unloading                 ? std::max(target, 0.1 * peak_force) :
-                                                     target;
+    const double scale = control != Control::force ? peak_force
+                         : unloading               ? std::max(target, 0.1 * peak_force)
+                                                   : target;
     system.set_control(control, target, scale);
     for (unsigned int k = 0; k <= options.max_augmentations; ++k)
       {
@@ -101,11 +101,11 @@ namespace dpcontact
           }
         if (converged)
           {
-            previous_u        = saved.u;
-            previous_approach = saved.approach;
-            last_force        = now;
-            present_force     = target;
-            has_previous      = true;
+            previous_u           = saved.u;
+            previous_approach    = saved.approach;
+            last_force           = now;
+            present_force        = target;
+            has_previous         = true;
             const auto integrals = system.commit();
             dissipated += 2 * integrals.dissipation;
             count.apex_points += integrals.apex_points;
@@ -167,9 +167,9 @@ namespace dpcontact
   }
 
   template <int dim>
-  std::vector<CurvePoint> LoadPath<dim>::load(const double                       peak,
-                                              const double                       peak_approach_guess,
-                                              const NextLevel                   &next_level,
+  std::vector<CurvePoint> LoadPath<dim>::load(const double     peak,
+                                              const double     peak_approach_guess,
+                                              const NextLevel &next_level,
                                               const std::function<void(double)> &at_level)
   {
     peak_force     = peak;
@@ -207,11 +207,11 @@ namespace dpcontact
   std::vector<CurvePoint> LoadPath<dim>::unload(const unsigned int steps)
   {
     std::vector<CurvePoint> points{record()};
-    unloading           = true;
-    has_previous        = false; // the tangent at the peak is another one now
-    const double peak   = system.force();
-    const auto force_of = [peak](const double t) { return peak * std::pow(t, 1.5); };
-    const double n      = steps;
+    unloading             = true;
+    has_previous          = false; // the tangent at the peak is another one now
+    const double peak     = system.force();
+    const auto   force_of = [peak](const double t) { return peak * std::pow(t, 1.5); };
+    const double n        = steps;
     for (unsigned int i = 0; i < steps; ++i)
       {
         advance("unloading", force_of, 1 - i / n, i + 1 == steps ? 0. : 1 - (i + 1) / n);
@@ -232,15 +232,27 @@ namespace dpcontact
   template <int dim>
   std::vector<CurvePoint> LoadPath<dim>::unload_and_return(const unsigned int steps)
   {
-    const auto   state    = system.snapshot();
-    const auto   before   = std::make_tuple(previous_u, previous_approach, has_previous, present_force, last_force,
-                                        last_integrals, dissipated, peak_force);
-    const double force    = system.force();
-    peak_force            = force;
-    const auto   points   = unload(steps);
-    std::tie(previous_u, previous_approach, has_previous, present_force, last_force, last_integrals, dissipated, peak_force) =
-      before;
-    unloading = false;
+    const auto   state   = system.snapshot();
+    const auto   before  = std::make_tuple(previous_u,
+                                        previous_approach,
+                                        has_previous,
+                                        present_force,
+                                        last_force,
+                                        last_integrals,
+                                        dissipated,
+                                        peak_force);
+    const double force   = system.force();
+    peak_force           = force;
+    const auto points    = unload(steps);
+    std::tie(previous_u,
+             previous_approach,
+             has_previous,
+             present_force,
+             last_force,
+             last_integrals,
+             dissipated,
+             peak_force) = before;
+    unloading            = false;
     system.restore(state);
     system.set_control(Control::force, force, peak_force);
     system.residual();

@@ -12,30 +12,31 @@ namespace dpcontact
 {
   /// Drives a ContactSystem up to a peak force and back to separation.
   ///
-  /// Levels of the force are nominal: τ = (F/F_max)^(1/3), the growth of an elastic contact radius, in
-  /// equal steps going up; t = (F/F_max)^(2/3), the elastic approach, going down. A step
-  /// that Newton cannot make is rolled back and halved, and doubled again after easy ones, never
-  /// beyond the nominal step: its size is what the accuracy of the load step is tied to.
-  /// Numbers are in the system's own units.
+  /// Levels of the force are nominal: τ = (F/F_max)^(1/3), the growth of an elastic contact radius,
+  /// in equal steps going up; t = (F/F_max)^(2/3), the elastic approach, going down. A step that
+  /// Newton cannot make is rolled back and halved, and doubled again after easy ones, never beyond
+  /// the nominal step: its size is what the accuracy of the load step is tied to. Numbers are in
+  /// the system's own units.
   template <int dim>
   class LoadPath
   {
   public:
     struct Options
     {
-      unsigned int  loading_steps          = 20;
-      unsigned int  unloading_steps        = 8;
-      bool          augment                = true;
-      bool          predict                = true; ///< extrapolate the last step into the next
-      double        penetration_tolerance  = 1e-6; ///< largest gap violation over the approach
-      unsigned int  max_augmentations      = 20;
-      unsigned int  max_cut_backs          = 10;   ///< halvings of one nominal step
+      unsigned int  loading_steps         = 20;
+      unsigned int  unloading_steps       = 8;
+      bool          augment               = true;
+      bool          predict               = true; ///< extrapolate the last step into the next
+      double        penetration_tolerance = 1e-6; ///< largest gap violation over the approach
+      unsigned int  max_augmentations     = 20;
+      unsigned int  max_cut_backs         = 10; ///< halvings of one nominal step
       NewtonOptions newton;
     };
 
     struct Counters
     {
-      unsigned int steps = 0, newton_iterations = 0, cut_backs = 0, augmentations = 0, apex_points = 0;
+      unsigned int steps = 0, newton_iterations = 0, cut_backs = 0, augmentations = 0,
+                   apex_points = 0;
     };
 
     LoadPath(ContactSystem<dim> &system, const Options &options, const StepObserver &observer);
@@ -48,8 +49,8 @@ namespace dpcontact
     /// The next level τ in (τ, 1] after the level τ that was reached with the given point.
     using NextLevel = std::function<double(double level, const CurvePoint &present)>;
 
-    /// Likewise through levels of the caller's choice; `at_level(τ)` is called at each, and may call
-    /// unload_and_return().
+    /// Likewise through levels of the caller's choice; `at_level(τ)` is called at each, and may
+    /// call unload_and_return().
     std::vector<CurvePoint> load(double                             peak,
                                  double                             peak_approach_guess,
                                  const NextLevel                   &next_level,
@@ -69,23 +70,26 @@ namespace dpcontact
   private:
     using Control = typename ContactSystem<dim>::Control;
 
-    bool       try_step(Control control, double target);
-    void       advance(const char *stage, const std::function<double(double)> &force_of, double from, double to);
+    bool                    try_step(Control control, double target);
+    void                    advance(const char                          *stage,
+                                    const std::function<double(double)> &force_of,
+                                    double                               from,
+                                    double                               to);
     std::vector<CurvePoint> unload(unsigned int steps);
-    CurvePoint record();
+    CurvePoint              record();
 
     ContactSystem<dim> &system;
     Options             options;
     StepObserver        observer;
     Counters            count;
     NewtonReport        report;
-    double              peak_force     = 0;
-    bool       unloading      = false;
-    double              approach_guess = 0; ///< at the peak
-    double              dissipated     = 0;
+    double              peak_force          = 0;
+    bool                unloading           = false;
+    double              approach_guess      = 0; ///< at the peak
+    double              dissipated          = 0;
     int                 iterations_of_point = 0;
-    double              present_force = 0; ///< of the converged state
-    double              last_force    = 0; ///< force of the converged state before the present one
+    double              present_force       = 0; ///< of the converged state
+    double              last_force = 0; ///< force of the converged state before the present one
     typename ContactSystem<dim>::Integrals last_integrals;
     std::vector<double> previous_u; ///< the converged state before the present one
     double              previous_approach = 0;

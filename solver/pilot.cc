@@ -13,7 +13,7 @@ namespace dpcontact
     constexpr unsigned int pilot_steps      = 10;
     constexpr unsigned int most_pilots      = 5;
     constexpr double       pilot_accuracy   = 0.04; ///< of the contact radius, relative
-  } // namespace
+  }                                                 // namespace
 
   std::uint64_t peak_memory()
   {

@@ -4,8 +4,8 @@
 #include "solver/elastic_solution.h"
 #include "solver/half_space_model.h"
 #include "solver/hertz.h"
-#include "solver/recovery.h"
 #include "solver/pilot.h"
+#include "solver/recovery.h"
 #include "solver/step_extrapolation.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace dpcontact
 {
   namespace
   {
-    constexpr unsigned int first_loading_steps   = 16;
-    constexpr unsigned int most_loading_steps    = 1024;
+    constexpr unsigned int first_loading_steps = 16;
+    constexpr unsigned int most_loading_steps  = 1024;
 
     void check_option(const bool holds, const char *name, const double value, const char *range)
     {
@@ -55,7 +55,8 @@ namespace dpcontact
     if (strain > 0.1)
       {
         text.str("");
-        text << "small strain is left behind: the largest plastic strain is " << strain << " (> 0.1)";
+        text << "small strain is left behind: the largest plastic strain is " << strain
+             << " (> 0.1)";
         solution.warnings.push_back(text.str());
       }
   }
@@ -63,13 +64,31 @@ namespace dpcontact
   void SolverOptions::check() const
   {
     check_option(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
-    check_option(surface_halvings.value_or(0) <= 4, "surface-halvings", surface_halvings.value_or(0), "at most 4");
+    check_option(surface_halvings.value_or(0) <= 4,
+                 "surface-halvings",
+                 surface_halvings.value_or(0),
+                 "at most 4");
     check_option(level <= 6, "level", level, "at most 6");
-    check_option(std::isfinite(domain_radius) && domain_radius >= 10, "domain-radius", domain_radius, "finite and at least 10 contact radii");
-    check_option(std::isfinite(mesh_stretch) && mesh_stretch >= 0.5 && mesh_stretch <= 2, "mesh-stretch", mesh_stretch, "from 0.5 to 2");
-    check_option(loading_steps % 2 == 0 && loading_steps <= 4096, "loading-steps", loading_steps, "even and at most 4096 (0: as many as step-tolerance needs)");
-    check_option(step_tolerance > 0 && step_tolerance <= 1, "step-tolerance", step_tolerance, "above 0 and at most 1");
-    check_option(std::isfinite(penalty_stiffness) && penalty_stiffness > 0, "penalty-stiffness", penalty_stiffness, "finite and positive");
+    check_option(std::isfinite(domain_radius) && domain_radius >= 10,
+                 "domain-radius",
+                 domain_radius,
+                 "finite and at least 10 contact radii");
+    check_option(std::isfinite(mesh_stretch) && mesh_stretch >= 0.5 && mesh_stretch <= 2,
+                 "mesh-stretch",
+                 mesh_stretch,
+                 "from 0.5 to 2");
+    check_option(loading_steps % 2 == 0 && loading_steps <= 4096,
+                 "loading-steps",
+                 loading_steps,
+                 "even and at most 4096 (0: as many as step-tolerance needs)");
+    check_option(step_tolerance > 0 && step_tolerance <= 1,
+                 "step-tolerance",
+                 step_tolerance,
+                 "above 0 and at most 1");
+    check_option(std::isfinite(penalty_stiffness) && penalty_stiffness > 0,
+                 "penalty-stiffness",
+                 penalty_stiffness,
+                 "finite and positive");
   }
 
   Solution solve_contact(const Material      &material,
@@ -105,16 +124,16 @@ namespace dpcontact
       }
 
     Solution solution;
-    solution.yield    = yield;
-    const Pilot pilot = run_pilots(material, scene, solution.yield, solution.cost, observer);
-    SolverOptions used = options;
+    solution.yield      = yield;
+    const Pilot   pilot = run_pilots(material, scene, solution.yield, solution.cost, observer);
+    SolverOptions used  = options;
     if (!used.surface_halvings)
       used.surface_halvings = pilot.approach > strongly_plastic ? 1 : 0;
 
     HalfSpaceModel model(material, scene, used, pilot.contact_radius);
     solution.mesh_radius  = pilot.contact_radius;
     solution.mesh_quality = model.quality();
-    const auto     write = [&](const char *name) {
+    const auto write      = [&](const char *name) {
       if (!fields_directory.empty())
         write_fields(model.system(),
                      model.units().length,
@@ -132,9 +151,10 @@ namespace dpcontact
       write("peak.vtu");
     };
 
-    unsigned int steps = options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
-    Curve        coarse = model.run(steps, observer);
-    bool         coarse_was_cut = model.counters().cut_backs > 0;
+    unsigned int steps =
+      options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
+    Curve coarse         = model.run(steps, observer);
+    bool  coarse_was_cut = model.counters().cut_backs > 0;
     add_cost(solution.cost, model);
     std::optional<Curve> extrapolated; // from the two runs before
     for (;;)
@@ -145,10 +165,10 @@ namespace dpcontact
         solution.apex_points    = model.counters().apex_points;
         const double difference = step_difference(coarse, fine);
         // Steps that were cut are no longer twice the finer ones: nothing is known to cancel then.
-        const bool   fine_was_cut = model.counters().cut_backs > 0;
-        const double share        = coarse_was_cut || fine_was_cut ? 1. :
-                                    extrapolated                   ? share_of_difference :
-                                                                     share_of_first_difference;
+        const bool           fine_was_cut = model.counters().cut_backs > 0;
+        const double         share        = coarse_was_cut || fine_was_cut ? 1.
+                                            : extrapolated                 ? share_of_difference
+                                                           : share_of_first_difference;
         std::optional<Curve> finer;
         if (!options.extrapolation)
           solution.step_error = difference; // what is left of a first-order error
@@ -158,22 +178,23 @@ namespace dpcontact
               finer               = extrapolate_steps(coarse, fine);
               solution.step_error = share * difference;
               if (extrapolated)
-                solution.step_error =
-                  std::max(solution.step_error,
-                           share_of_extrapolated_difference * step_difference(*extrapolated, *finer));
+                solution.step_error = std::max(solution.step_error,
+                                               share_of_extrapolated_difference *
+                                                 step_difference(*extrapolated, *finer));
             }
           catch (const StepsTooLarge &)
             {
               solution.step_error = difference; // not yet a curve: halve the steps once more
             }
-        const bool enough = options.loading_steps > 0 ? steps == options.loading_steps :
-                                                        solution.step_error <= options.step_tolerance;
+        const bool enough = options.loading_steps > 0
+                              ? steps == options.loading_steps
+                              : solution.step_error <= options.step_tolerance;
         if (enough && (finer || !options.extrapolation))
           {
             solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
-            solution.coarser_share = extrapolated ? share_of_extrapolated_difference :
-                                     finer        ? share_of_first_difference :
-                                                    1.;
+            solution.coarser_share = extrapolated ? share_of_extrapolated_difference
+                                     : finer      ? share_of_first_difference
+                                                  : 1.;
             solution.curve         = finer ? *finer : fine;
             used.loading_steps     = steps;
             break;
@@ -184,13 +205,13 @@ namespace dpcontact
         if (2 * steps > most_loading_steps && options.loading_steps == 0)
           {
             std::ostringstream message;
-            message << "step-tolerance " << options.step_tolerance << " is not reached with " << steps
-                    << " load steps: the error is estimated at " << solution.step_error
+            message << "step-tolerance " << options.step_tolerance << " is not reached with "
+                    << steps << " load steps: the error is estimated at " << solution.step_error
                     << "; ask for a larger tolerance or refine the mesh (resolution)";
             throw SolverError(message.str());
           }
-        coarse       = std::move(fine);
-        extrapolated = std::move(finer);
+        coarse         = std::move(fine);
+        extrapolated   = std::move(finer);
         coarse_was_cut = fine_was_cut;
       }
 

@@ -26,7 +26,9 @@ namespace dpcontact
       check_levels(coarse, fine);
       Branch     result     = fine;
       const auto difference = [&](double CurvePoint::*quantity, const std::size_t i) {
-        const auto at = [&](const std::size_t k) { return fine[2 * k].*quantity - coarse[k].*quantity; };
+        const auto at = [&](const std::size_t k) {
+          return fine[2 * k].*quantity - coarse[k].*quantity;
+        };
         return i % 2 == 0 ? at(i / 2) : (at(i / 2) + at(i / 2 + 1)) / 2;
       };
       for (std::size_t i = 0; i < fine.size(); ++i)
@@ -35,8 +37,9 @@ namespace dpcontact
       const double direction = fine.back().force > fine.front().force ? 1 : -1;
       for (std::size_t i = 1; i < result.size(); ++i)
         if (!(direction * (result[i].approach - result[i - 1].approach) > 0))
-          throw StepsTooLarge("step extrapolation: the extrapolated approach is not monotone; the load "
-                            "steps are too large");
+          throw StepsTooLarge(
+            "step extrapolation: the extrapolated approach is not monotone; the load "
+            "steps are too large");
       return result;
     }
 
@@ -47,7 +50,8 @@ namespace dpcontact
       double       largest = 0;
       for (std::size_t k = 0; k < coarse.size(); ++k)
         {
-          const std::size_t i = 2 * k, low = i == 0 ? 0 : i - 1, high = std::min(i + 1, fine.size() - 1);
+          const std::size_t i = 2 * k, low = i == 0 ? 0 : i - 1,
+                            high = std::min(i + 1, fine.size() - 1);
           const double slope =
             (fine[high].force - fine[low].force) / (fine[high].approach - fine[low].approach);
           largest = std::max(largest, std::abs(slope * (fine[i].approach - coarse[k].approach)));

@@ -26,10 +26,9 @@ namespace dpcontact::commands
         write_csv(std::filesystem::path(options.csv), rows);
 
       constexpr const char *names[] = {"a", "b", "m", "n"};
-      const auto            agree   = std::count_if(rows.begin(), rows.end(), [](const RowComparison &row) {
-        return row.agrees();
-      });
-      Json                  coefficients;
+      const auto            agree   = std::count_if(
+        rows.begin(), rows.end(), [](const RowComparison &row) { return row.agrees(); });
+      Json coefficients;
       for (std::size_t c = 0; c < 4; ++c)
         {
           double largest = 0, share = 0;
@@ -51,12 +50,16 @@ namespace dpcontact::commands
       else
         {
           std::cout << agree << " of " << rows.size()
-                    << " rows agree within the sum of their stated errors (mesh, load step, contact, far field)\n";
+                    << " rows agree within the sum of their stated errors (mesh, load step, "
+                       "contact, far field)\n";
           for (const char *name : names)
             std::cout << "  " << name << ": differs by at most "
-                      << format_quantity(100 * coefficients[name]["largest_relative_difference"].get<double>(),
+                      << format_quantity(
+                           100 * coefficients[name]["largest_relative_difference"].get<double>(),
+                           Dimension::number)
+                      << " %, "
+                      << format_quantity(coefficients[name]["largest_over_stated_error"],
                                          Dimension::number)
-                      << " %, " << format_quantity(coefficients[name]["largest_over_stated_error"], Dimension::number)
                       << " of the stated error\n";
           if (!options.csv.empty())
             std::cout << options.csv << ": one line a row\n";
@@ -68,11 +71,13 @@ namespace dpcontact::commands
   void add_compare(CLI::App &program, Action &action)
   {
     const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("compare", "Coefficients of one database against those of another, row by row");
+    CLI::App *const command = program.add_subcommand(
+      "compare", "Coefficients of one database against those of another, row by row");
     command->add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
-    command->add_option("OTHER", options->other, "HDF5 file of another, with the same rows")->required();
-    command->add_option("--csv", options->csv, "report to write, one line a row")->type_name("FILE");
+    command->add_option("OTHER", options->other, "HDF5 file of another, with the same rows")
+      ->required();
+    command->add_option("--csv", options->csv, "report to write, one line a row")
+      ->type_name("FILE");
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
   }

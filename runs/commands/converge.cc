@@ -57,7 +57,7 @@ namespace dpcontact::commands
           Json levels = Json::array();
           for (const auto &level : study.levels)
             {
-              Json entry   = by_coefficient(level.values);
+              Json entry     = by_coefficient(level.values);
               entry["level"] = level.label;
               levels.push_back(entry);
             }
@@ -142,9 +142,8 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      const SettingTexts  texts = merged(options.parameter_file,
-                                        scene_settings() + solver_settings(),
-                                        options.texts);
+      const SettingTexts texts =
+        merged(options.parameter_file, scene_settings() + solver_settings(), options.texts);
       const Case          input = read_case(texts);
       const SolverOptions used  = read_solver_options(texts);
       const Environment   environment;

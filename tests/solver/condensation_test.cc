@@ -69,9 +69,9 @@ namespace
   {
     ContactProblem   whole(nu, friction_angle, strength, 16);
     ContactSystem<2> system(whole.space, whole.law, 1., 1e5, true);
-    using Control      = ContactSystem<2>::Control;
-    const auto start   = system.snapshot();
-    const auto solve   = [](ContactSystem<2> &of) {
+    using Control    = ContactSystem<2>::Control;
+    const auto start = system.snapshot();
+    const auto solve = [](ContactSystem<2> &of) {
       of.approach = 0.5;
       of.set_control(Control::approach, 0.5, ContactProblem::hertz_force(nu));
       const NewtonReport report = solve_newton(of, NewtonOptions{});

@@ -32,18 +32,17 @@ namespace
 
   TEST(families, drucker_prager_members_are_what_they_are_alone)
   {
-    // Three load levels, the second from other E, σc, R and force than the others; two paths, as the
-    // first level is below a sixth of the last.
-    const std::vector<FamilyMember> members = {member(10e9, 20e6, 0.1, 100),
-                                               member(20e9, 10e6, 0.05, 10),
-                                               member(10e9, 5e6, 0.1, 100)};
+    // Three load levels, the second from other E, σc, R and force than the others; two paths, as
+    // the first level is below a sixth of the last.
+    const std::vector<FamilyMember> members = {
+      member(10e9, 20e6, 0.1, 100), member(20e9, 10e6, 0.05, 10), member(10e9, 5e6, 0.1, 100)};
     const auto found = solve_family(members, coarse());
     ASSERT_EQ(found.size(), members.size());
     for (std::size_t i = 0; i < members.size(); ++i)
       {
         const auto alone = solve_contact(members[i].material, members[i].scene, coarse());
         EXPECT_EQ(found[i].yield.force, alone.yield.force);
-        const auto  &peak = found[i].curve.loading.back(), &expected = alone.curve.loading.back();
+        const auto &peak = found[i].curve.loading.back(), &expected = alone.curve.loading.back();
         EXPECT_NEAR(peak.force, members[i].scene.force_max, 1e-6 * members[i].scene.force_max);
         // 10 elements across the contact leave an edge between nodes 0.3 % of the approach.
         EXPECT_NEAR(peak.approach, expected.approach, 4e-3 * expected.approach) << i;
@@ -52,8 +51,11 @@ namespace
                     4e-3 * expected.approach)
           << i;
         EXPECT_NEAR(peak.pressure_max, expected.pressure_max, 0.1 * expected.pressure_max) << i;
-        const auto &end = found[i].curve.unloading.back(), &expected_end = alone.curve.unloading.back();
-        EXPECT_NEAR(end.dissipated_energy, expected_end.dissipated_energy, 0.05 * expected_end.dissipated_energy);
+        const auto &end          = found[i].curve.unloading.back(),
+                   &expected_end = alone.curve.unloading.back();
+        EXPECT_NEAR(end.dissipated_energy,
+                    expected_end.dissipated_energy,
+                    0.05 * expected_end.dissipated_energy);
         EXPECT_GT(found[i].cost.newton_iterations, 0u);
       }
   }
@@ -71,8 +73,8 @@ namespace
 
   TEST(families, members_of_other_families_are_refused)
   {
-    auto other                    = member(10e9, 20e6, 0.1, 100);
-    other.material.poisson_ratio  = 0.25;
+    auto other                   = member(10e9, 20e6, 0.1, 100);
+    other.material.poisson_ratio = 0.25;
     EXPECT_THROW(solve_family({member(10e9, 20e6, 0.1, 100), other}, coarse()), InputError);
     auto published = coarse();
     published.mesh = MeshKind::published;

@@ -32,8 +32,8 @@ namespace
       return found->second;
     }
 
-    static constexpr Scene         scene{};
-    static SolverOptions by_elements()
+    static constexpr Scene scene{};
+    static SolverOptions   by_elements()
     {
       SolverOptions result;
       result.closed_form = false;

@@ -29,7 +29,7 @@ namespace
     options.element         = element;
     const double   approach = hertz::approach(rock, scene.radius, scene.force_max);
     HalfSpaceModel model(rock, scene, options, hertz::contact_radius(scene.radius, approach));
-    double error = 0;
+    double         error = 0;
     for (const auto &point : model.run_to_peak(8, {}))
       if (point.force >= 0.1 * scene.force_max)
         error = std::max(

@@ -20,7 +20,7 @@ namespace
   using Change = std::function<void(SolverOptions &)>;
 
   /// Coefficients with all savings against those with each switched off.
-  void expect_within_stated_errors(const Material                                &material,
+  void expect_within_stated_errors(const Material                      &material,
                                    const std::map<std::string, Change> &savings)
   {
     const Scene  scene;
@@ -35,24 +35,25 @@ namespace
         const auto   stated_without = estimate_errors(without.fit, without.solution, scene);
         const auto   values_without = coefficients(without.fit);
         for (unsigned int c = 0; c < 4; ++c)
-          EXPECT_NEAR(values_without[c],
-                      values[c],
-                      stated[c].numerical() + stated_without[c].numerical())
-            << name << ", coefficient " << "abmn"[c];
+          EXPECT_NEAR(
+            values_without[c], values[c], stated[c].numerical() + stated_without[c].numerical())
+            << name << ", coefficient "
+            << "abmn"[c];
       }
   }
 
   TEST(savings, drucker_prager_lambda_49_each_switched_off_stays_within_the_stated_errors)
   {
-    expect_within_stated_errors(tests::rock(10, .1, 20, 10),
-                                {{"condensation", [](SolverOptions &o) { o.condensation = false; }},
-                                 {"predictor", [](SolverOptions &o) { o.predictor = false; }},
-                                 {"extrapolation",
-                                  [](SolverOptions &o) {
-                                    o.extrapolation  = false;
-                                    o.step_tolerance = 5e-3;
-                                  }},
-                                 {"surface halvings", [](SolverOptions &o) { o.surface_halvings = 1; }}});
+    expect_within_stated_errors(
+      tests::rock(10, .1, 20, 10),
+      {{"condensation", [](SolverOptions &o) { o.condensation = false; }},
+       {"predictor", [](SolverOptions &o) { o.predictor = false; }},
+       {"extrapolation",
+        [](SolverOptions &o) {
+          o.extrapolation  = false;
+          o.step_tolerance = 5e-3;
+        }},
+       {"surface halvings", [](SolverOptions &o) { o.surface_halvings = 1; }}});
   }
 
   TEST(savings, elastic_scene_without_the_closed_form_stays_within_the_stated_errors)
