@@ -39,6 +39,7 @@ namespace dpcontact
       {"surface-halvings", used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
       {"element", to_string(used.element)},
       {"level", used.level},
+      {"octaves", used.octaves},
       {"domain-radius", used.domain_radius},
       {"mesh-stretch", used.mesh_stretch},
       {"step-tolerance", used.step_tolerance},

@@ -149,6 +149,9 @@ namespace dpcontact
               Dimension::number,
               {"serendipity", "quadratic", "linear"}},
       count("level", "uniform refinements of the whole mesh on top", defaults.level),
+      count("octaves",
+            "contacts down to 2^-octaves of the largest are resolved as well, for families",
+            defaults.octaves),
       number("domain-radius", "far boundary, in contact radii", defaults.domain_radius),
       number("mesh-stretch", "stretches the fitted mesh by a factor", defaults.mesh_stretch),
       number("step-tolerance",
@@ -238,6 +241,7 @@ namespace dpcontact
       options.surface_halvings = parse_count("surface-halvings", halvings);
     options.element = parse_element(choose(texts, "element", to_string(options.element)));
     read_count("level", options.level);
+    read_count("octaves", options.octaves);
     read_number("domain-radius", options.domain_radius);
     read_number("mesh-stretch", options.mesh_stretch);
     read_number("step-tolerance", options.step_tolerance);

@@ -69,6 +69,7 @@ namespace dpcontact
                  surface_halvings.value_or(0),
                  "at most 4");
     check_option(level <= 6, "level", level, "at most 6");
+    check_option(octaves <= 12, "octaves", octaves, "at most 12");
     check_option(std::isfinite(domain_radius) && domain_radius >= 10,
                  "domain-radius",
                  domain_radius,
