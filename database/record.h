@@ -50,6 +50,16 @@ namespace dpcontact
     double      m_window_change = unset, n_window_change = unset;
     std::string stop_loading, stop_unloading;
 
+    // estimated error of each coefficient by source (fitting/uncertainty.h)
+    double a_error_mesh = unset, a_error_step = unset, a_error_contact = unset, a_error_far_field = unset;
+    double a_error_finite_radius = unset, a_error_fit = unset, a_error_total = unset;
+    double b_error_mesh = unset, b_error_step = unset, b_error_contact = unset, b_error_far_field = unset;
+    double b_error_finite_radius = unset, b_error_fit = unset, b_error_total = unset;
+    double m_error_mesh = unset, m_error_step = unset, m_error_contact = unset, m_error_far_field = unset;
+    double m_error_finite_radius = unset, m_error_fit = unset, m_error_total = unset;
+    double n_error_mesh = unset, n_error_step = unset, n_error_contact = unset, n_error_far_field = unset;
+    double n_error_finite_radius = unset, n_error_fit = unset, n_error_total = unset;
+
     // the published convention: δ mutual, δ_y of one sphere
     double a_published = unset, m_published = unset, approach_yield_published_m = unset;
 

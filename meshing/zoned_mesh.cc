@@ -12,6 +12,7 @@
 #include <cmath>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace dpcontact
 {
@@ -55,6 +56,7 @@ namespace dpcontact
     for (const auto &[name, value] : lengths)
       require(std::isfinite(value), name, value, "finite");
     require(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
+    require(octaves <= 12, "octaves", octaves, "at most 12");
     require(level <= 6, "level", level, "at most 6");
     require(surface_halvings <= 4, "surface_halvings", surface_halvings, "at most 4");
     require(contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
@@ -141,20 +143,38 @@ namespace dpcontact
           return true;
       return false;
     };
-    const auto refine = [&](const double width, const double depth) {
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->center()[0] < width && (-cell->center()[1] < depth || at_surface(cell)))
-          cell->set_refine_flag();
-      mesh.execute_coarsening_and_refinement();
-    };
-    const std::pair<double, double> sizes[] = {{std::max(c, zones.plastic_zone), zones.plastic_zone},
-                                               {c, zones.medium_depth},
-                                               {c, zones.fine_depth},
-                                               {c, zones.surface_depth}};
-    for (unsigned int zone = 0; zone < halvings; ++zone)
-      refine(sizes[zone].first, sizes[zone].second);
+    // Zones from the coarsest cells to the finest; zone z of octave k has cells halved k + z + 1 times.
+    std::vector<std::pair<double, double>> sizes = {{std::max(c, zones.plastic_zone), zones.plastic_zone},
+                                                    {c, zones.medium_depth},
+                                                    {c, zones.fine_depth},
+                                                    {c, zones.surface_depth}};
+    sizes.resize(halvings);
     for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
-      refine(c, zones.surface_depth / static_cast<double>(1u << k));
+      sizes.emplace_back(c, zones.surface_depth / static_cast<double>(1u << k));
+    const auto wanted_level = [&](const auto &cell) {
+      unsigned int level = 0;
+      for (unsigned int k = 0; k <= zones.octaves; ++k)
+        for (unsigned int z = 0; z < sizes.size(); ++z)
+          {
+            const double scale = 1. / static_cast<double>(1u << k);
+            if (cell->center()[0] < scale * sizes[z].first &&
+                (-cell->center()[1] < scale * sizes[z].second || at_surface(cell)))
+              level = std::max(level, k + z + 1);
+          }
+      return static_cast<int>(level);
+    };
+    for (bool refined = true; refined;)
+      {
+        refined = false;
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->level() < wanted_level(cell))
+            {
+              cell->set_refine_flag();
+              refined = true;
+            }
+        if (refined)
+          mesh.execute_coarsening_and_refinement();
+      }
     mesh.refine_global(zones.level);
     if (zones.stretch != 1)
       dealii::GridTools::scale(zones.stretch, mesh);

@@ -10,7 +10,8 @@ namespace dpcontact
   /// geometrically lead from there to a circle of radius `domain_radius`. Cells are halved
   /// in four nested zones towards the contact: the square of half side `plastic_zone`, then under the
   /// contact zone down to `medium_depth`, `fine_depth` and `surface_depth` (below resolution 16 the
-  /// last ones are left out), and `surface_halvings` times more in ever thinner layers at the surface. Between zones stand hanging nodes. The thin zone at the surface pays
+  /// last ones are left out), and `surface_halvings` times more in ever thinner layers at the surface. With `octaves` the zones stand again at half, a quarter, …
+  /// of their size with cells of half, a quarter, … of the size, for contacts that small. Between zones stand hanging nodes. The thin zone at the surface pays
   /// most: the edge of the contact advances node by node there.
   struct Zones
   {
@@ -22,6 +23,7 @@ namespace dpcontact
     double       fine_depth    = 0.2;
     double       surface_depth = 0.1;
     unsigned int surface_halvings = 0;  ///< further halvings, to half the last depth each
+    unsigned int octaves       = 0;     ///< contacts down to 2^−octaves are resolved as well
     double       domain_radius = 200;
     double       growth        = 1.4;  ///< ratio of neighbouring ring widths at resolution 40
     double       stretch       = 1;    ///< multiplies every length (similarity checks)

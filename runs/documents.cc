@@ -1,5 +1,7 @@
 #include "runs/documents.h"
 
+#include "runs/row.h"
+
 #include <iostream>
 
 namespace dpcontact
@@ -40,6 +42,7 @@ namespace dpcontact
             {"domain-radius", used.domain_radius},
             {"mesh-stretch", used.mesh_stretch},
             {"step-tolerance", used.step_tolerance},
+            {"loading-steps", used.loading_steps},
             {"extrapolation", on_off(used.extrapolation)},
             {"predictor", on_off(used.predictor)},
             {"condensation", on_off(used.condensation)},
@@ -98,6 +101,18 @@ namespace dpcontact
          {{"exponential", quality(row.r2_exponential_unloading, row.rmse_exponential_unloading)},
           {"polynomial", quality(row.r2_polynomial_unloading, row.rmse_polynomial_unloading)},
           {"parabola", quality(row.r2_parabola_unloading, row.rmse_parabola_unloading)}}}}}};
+  }
+
+  Json error_json(const Record &row)
+  {
+    static const char *const names[]   = {"a", "b", "m", "n"};
+    static const char *const sources[] = {"mesh", "step", "contact", "far_field", "finite_radius", "fit", "total"};
+    const auto columns = error_columns();
+    Json       errors;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (std::size_t p = 0; p < columns[c].size(); ++p)
+        errors[names[c]][sources[p]] = row.*columns[c][p];
+    return errors;
   }
 
   Json published_json(const Record &row)

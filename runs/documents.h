@@ -19,7 +19,8 @@ namespace dpcontact
   Json scene_json(const Case &input);           ///< radius, force_max
   Json yield_json(const FirstYield &yield);     ///< force, approach, pressure, …
   Json options_json(const SolverOptions &used); ///< by the names of the options
-  Json fit_json(const Record &row);             ///< a, b, m, n and how well they fit
+  Json fit_json(const Record &row);
+  Json error_json(const Record &row);             ///< a, b, m, n and how well they fit
   Json published_json(const Record &row); ///< a, m, approach_yield of the published convention
   Json cost_json(const Record &row);
 

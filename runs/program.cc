@@ -31,9 +31,11 @@ namespace dpcontact
       commands::Action action;
       commands::add_yield(program, action);
       commands::add_solve(program, action);
+      commands::add_converge(program, action);
       commands::add_sweep(program, action);
       commands::add_fit(program, action);
       commands::add_export(program, action);
+      commands::add_compare(program, action);
 
       try
         {

@@ -126,12 +126,30 @@ namespace dpcontact
       row.approach_residual_eq18_m = fit.residual_approach_fitted;
       row.approach_peak_m          = fit.approach_max;
 
+      // The other parts do not depend on the fit: a refit keeps them.
+      const auto         fits    = fit_errors(fit);
+      const ErrorColumns columns = error_columns();
+      for (std::size_t c = 0; c < 4; ++c)
+        {
+          row.*columns[c][6] += fits[c] - row.*columns[c][5];
+          row.*columns[c][5] = fits[c];
+        }
+
       row.status = fit.converged() ? "converged" : "failed";
       row.reason = fit.converged() ? ""
                                    : "a fit did not converge (loading: " + row.stop_loading +
                                        ", unloading: " + row.stop_unloading + ")";
     }
   } // namespace
+
+  ErrorColumns error_columns()
+  {
+    using R = Record;
+    return {{{&R::a_error_mesh, &R::a_error_step, &R::a_error_contact, &R::a_error_far_field, &R::a_error_finite_radius, &R::a_error_fit, &R::a_error_total},
+             {&R::b_error_mesh, &R::b_error_step, &R::b_error_contact, &R::b_error_far_field, &R::b_error_finite_radius, &R::b_error_fit, &R::b_error_total},
+             {&R::m_error_mesh, &R::m_error_step, &R::m_error_contact, &R::m_error_far_field, &R::m_error_finite_radius, &R::m_error_fit, &R::m_error_total},
+             {&R::n_error_mesh, &R::n_error_step, &R::n_error_contact, &R::n_error_far_field, &R::n_error_finite_radius, &R::n_error_fit, &R::n_error_total}}};
+  }
 
   RowInputs row_inputs(const Case &input)
   {
@@ -183,7 +201,15 @@ namespace dpcontact
 
     row.curve        = solution.curve;
     row.peak_profile = solution.peak_profile;
-    fit_row(row);
+    const CoefficientErrors errors  = estimate_errors(fit_row(row), solution, input.scene);
+    const ErrorColumns      columns = error_columns();
+    for (std::size_t c = 0; c < errors.size(); ++c)
+      {
+        const ErrorParts &e        = errors[c];
+        const double      parts[7] = {e.mesh, e.step, e.contact, e.far_field, e.finite_radius, e.fit, e.total()};
+        for (std::size_t p = 0; p < 7; ++p)
+          row.*columns[c][p] = parts[p];
+      }
     return row;
   }
 

@@ -3,13 +3,19 @@
 
 #include "database/record.h"
 #include "fitting/curve_fit.h"
+#include "fitting/uncertainty.h"
 #include "runs/settings.h"
 
+#include <array>
 #include <string>
 
 namespace dpcontact
 {
   RowInputs row_inputs(const Case &input);
+
+  /// Columns of the estimated errors of a, b, m, n: mesh, step, contact, far_field, finite_radius, fit, total.
+  using ErrorColumns = std::array<std::array<double Record::*, 7>, 4>;
+  ErrorColumns error_columns();
 
   /// Material and scene of a stored row.
   Case case_of(const RowInputs &inputs);

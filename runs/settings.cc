@@ -151,6 +151,9 @@ namespace dpcontact
       number("step-tolerance",
              "accuracy of the force in the load step, relative to the peak force",
              defaults.step_tolerance),
+      count("loading-steps",
+            "loading steps of the finest run, even; 0: as many as step-tolerance needs",
+            defaults.loading_steps),
       on_off("extrapolation", "extrapolate in the load step"),
       on_off("predictor", "start a step from the extrapolated last one"),
       on_off("condensation", "condense what neither yields nor touches"),
@@ -235,6 +238,7 @@ namespace dpcontact
     read_number("domain-radius", options.domain_radius);
     read_number("mesh-stretch", options.mesh_stretch);
     read_number("step-tolerance", options.step_tolerance);
+    read_count("loading-steps", options.loading_steps);
     read_number("penalty-stiffness", options.penalty_stiffness);
     const auto read_switch = [&](const char *name, bool &value) {
       value = choose(texts, name, value ? "on" : "off") == "on";

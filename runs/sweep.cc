@@ -1,5 +1,6 @@
 #include "runs/sweep.h"
 
+#include "database/digest.h"
 #include "database/row_json.h"
 #include "database/row_store.h"
 #include "database/store.h"
@@ -10,22 +11,108 @@
 #include "runs/version.h"
 #include "runs/worker_pool.h"
 #include "solver/environment.h"
+#include "solver/families.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace dpcontact
 {
   namespace
   {
-    /// What every row depends on besides its inputs.
-    nlohmann::json row_settings(const SolverOptions &options)
+    const char *to_string(const SweepMode mode)
     {
-      auto settings              = nlohmann::json::parse(options_json(options).dump());
+      return mode == SweepMode::families ? "families" : "direct";
+    }
+
+    /// What every row depends on besides its inputs. In a family a row depends on the others: their load
+    /// levels are where the common path stops.
+    nlohmann::json row_settings(const Sweep &sweep)
+    {
+      auto settings              = nlohmann::json::parse(options_json(sweep.solver).dump());
       settings["method_version"] = method_version;
+      settings["mode"]           = to_string(sweep.mode);
+      if (sweep.mode == SweepMode::families)
+        {
+          nlohmann::json grid;
+          for (const Case &input : sweep.cases)
+            {
+              const RowInputs inputs = row_inputs(input);
+              grid.push_back({inputs.E_Pa, inputs.nu, inputs.phi_deg, inputs.sigma_c_Pa, inputs.radius_m, inputs.force_max_N});
+            }
+          settings["grid_sha256"] = sha256(grid.dump());
+        }
       return settings;
+    }
+
+    /// Cases that are computed together, and those of them whose rows are wanted.
+    struct Job
+    {
+      std::vector<std::size_t> members, wanted;
+    };
+
+    std::vector<Job> make_jobs(const Sweep &sweep, const std::vector<std::size_t> &wanted)
+    {
+      std::vector<Job> jobs;
+      if (sweep.mode == SweepMode::direct)
+        {
+          for (const std::size_t i : wanted)
+            jobs.push_back({{i}, {i}});
+          return jobs;
+        }
+      std::map<std::pair<double, double>, Job> families; // the largest φ last: it is the cheapest
+      const auto family = [&](const std::size_t i) -> Job & {
+        return families[{sweep.cases[i].friction_angle_degrees, sweep.cases[i].material.poisson_ratio}];
+      };
+      for (std::size_t i = 0; i < sweep.cases.size(); ++i)
+        family(i).members.push_back(i);
+      for (const std::size_t i : wanted)
+        family(i).wanted.push_back(i);
+      for (auto &[key, job] : families)
+        if (!job.wanted.empty())
+          jobs.push_back(std::move(job));
+      return jobs;
+    }
+
+    /// The solutions of a job's members.
+    std::vector<Solution> solve_job(const Sweep &sweep, const Job &job)
+    {
+      if (sweep.mode == SweepMode::direct)
+        {
+          const Case &input = sweep.cases[job.members.front()];
+          return {solve_contact(input.material, input.scene, sweep.solver)};
+        }
+      std::vector<FamilyMember> members;
+      for (const std::size_t i : job.members)
+        members.push_back({sweep.cases[i].material, sweep.cases[i].scene});
+      return solve_family(members, sweep.solver);
+    }
+
+    /// The wanted rows of a job; they are failed ones where it fails.
+    std::vector<Record> compute_rows(const Sweep &sweep, const Job &job)
+    {
+      std::vector<Record> rows;
+      try
+        {
+          const std::vector<Solution> solutions = solve_job(sweep, job);
+          for (const std::size_t i : job.wanted)
+            {
+              const auto position = std::find(job.members.begin(), job.members.end(), i) - job.members.begin();
+              rows.push_back(row_of(sweep.cases[i], solutions[static_cast<std::size_t>(position)]));
+            }
+        }
+      catch (const std::exception &error)
+        {
+          rows.clear();
+          for (const std::size_t i : job.wanted)
+            rows.push_back(failed_row(sweep.cases[i], error.what()));
+        }
+      return rows;
     }
 
     void log(const std::string &message) { std::cerr << "sweep: " << message << std::endl; }
@@ -57,7 +144,7 @@ namespace dpcontact
         return;
       const Database    stored = read_store(sweep.database);
       const auto        found  = stored.provenance.find("solver_settings");
-      const std::string given  = row_settings(sweep.solver).dump();
+      const std::string given  = row_settings(sweep).dump();
       if (found == stored.provenance.end() || found->second != given)
         throw SettingsMismatch(
           sweep.database.string() + " was made with other settings:\n  stored " +
@@ -74,65 +161,67 @@ namespace dpcontact
               {"wall_seconds", row.wall_seconds}};
     }
 
-    Worker make_worker(const Sweep &sweep, const RowStore &rows)
+    Worker make_worker(const Sweep &sweep, const std::vector<Job> &jobs, const RowStore &rows)
     {
       setenv("DEAL_II_NUM_THREADS", "1", 1); // the processes share the cores already
       const auto environment = std::make_shared<Environment>();
-      return [&sweep, &rows, environment](const std::size_t job) {
-        const Case &input = sweep.cases[job];
-        Record      row;
-        try
-          {
-            row = row_of(input, solve_contact(input.material, input.scene, sweep.solver));
-          }
-        catch (const std::exception &error)
-          {
-            row = failed_row(input, error.what());
-          }
-        try
-          {
-            rows.write(row);
-          }
-        catch (const Error &error)
-          {
-            return nlohmann::json{{"error", error.what()}}.dump();
-          }
-        return row_message(row).dump();
+      return [&sweep, &jobs, &rows, environment](const std::size_t job) {
+        nlohmann::json messages = nlohmann::json::array();
+        for (const Record &row : compute_rows(sweep, jobs[job]))
+          try
+            {
+              rows.write(row);
+              messages.push_back(row_message(row));
+            }
+          catch (const Error &error)
+            {
+              messages.push_back({{"error", error.what()}});
+            }
+        return messages.dump();
       };
+    }
+
+    void report(const Case &input, const nlohmann::json &message, Progress &progress)
+    {
+      if (message.contains("error"))
+        throw FileError(message["error"].get<std::string>());
+      const std::string status   = message["status"];
+      const std::string warnings = message["warnings"];
+      std::string       text     = label(input) + ": " + status;
+      if (status != "converged")
+        text += ": " + message["reason"].get<std::string>();
+      else if (message["wall_seconds"].is_number())
+        text += " in " + format_quantity(message["wall_seconds"], Dimension::number) + " s";
+      if (!warnings.empty())
+        text += "; warning: " + warnings;
+      progress.row_done(text, status != "converged" || !warnings.empty());
     }
 
     void compute(const Sweep                    &sweep,
                  const RowStore                 &rows,
-                 const std::vector<std::size_t> &jobs,
+                 const std::vector<std::size_t> &wanted,
                  Progress                       &progress)
     {
+      const std::vector<Job>   jobs = make_jobs(sweep, wanted);
+      std::vector<std::size_t> numbers(jobs.size());
+      std::iota(numbers.begin(), numbers.end(), std::size_t(0));
       const auto on_end = [&](const JobResult &result) {
-        const Case    &input = sweep.cases[result.job];
-        nlohmann::json message;
-        if (result.died)
-          {
-            const Record row = failed_row(input, result.text);
-            rows.write(row);
-            message = row_message(row);
-          }
+        const Job     &job      = jobs[result.job];
+        nlohmann::json messages = nlohmann::json::array();
+        if (!result.died)
+          messages = nlohmann::json::parse(result.text);
         else
-          message = nlohmann::json::parse(result.text);
-        if (message.contains("error"))
-          throw FileError(message["error"].get<std::string>());
-
-        const std::string status   = message["status"];
-        const std::string warnings = message["warnings"];
-        std::string       text     = label(input) + ": " + status;
-        if (status != "converged")
-          text += ": " + message["reason"].get<std::string>();
-        else if (message["wall_seconds"].is_number())
-          text += " in " + format_quantity(message["wall_seconds"], Dimension::number) + " s";
-        if (!warnings.empty())
-          text += "; warning: " + warnings;
-        progress.row_done(text, status != "converged" || !warnings.empty());
+          for (const std::size_t i : job.wanted)
+            {
+              const Record row = failed_row(sweep.cases[i], result.text);
+              rows.write(row);
+              messages.push_back(row_message(row));
+            }
+        for (std::size_t k = 0; k < job.wanted.size(); ++k)
+          report(sweep.cases[job.wanted[k]], messages[k], progress);
       };
       run_jobs(
-        jobs, sweep.jobs, [&] { return make_worker(sweep, rows); }, [](std::size_t) {}, on_end);
+        numbers, sweep.jobs, [&] { return make_worker(sweep, jobs, rows); }, [](std::size_t) {}, on_end);
     }
 
     Database assemble(const Sweep &sweep, const RowStore &rows)
@@ -147,7 +236,7 @@ namespace dpcontact
         }
       for (const auto &[name, version] : versions())
         database.provenance["version_" + name] = version;
-      database.provenance["solver_settings"] = row_settings(sweep.solver).dump();
+      database.provenance["solver_settings"] = row_settings(sweep).dump();
       database.provenance["rows"]            = std::to_string(sweep.cases.size());
       return database;
     }
@@ -182,14 +271,14 @@ namespace dpcontact
     check_database(sweep);
     if (!RowStore::stored_settings(sweep.database).has_value())
       return std::vector<RowState>(sweep.cases.size(), RowState::missing);
-    RowStore::check_settings(sweep.database, row_settings(sweep.solver));
-    return states(sweep, RowStore(sweep.database, row_settings(sweep.solver), log));
+    RowStore::check_settings(sweep.database, row_settings(sweep));
+    return states(sweep, RowStore(sweep.database, row_settings(sweep), log));
   }
 
   SweepSummary run_sweep(const Sweep &sweep)
   {
     check_database(sweep);
-    const RowStore       rows(sweep.database, row_settings(sweep.solver), log);
+    const RowStore       rows(sweep.database, row_settings(sweep), log);
     const RowStore::Lock lock = rows.lock();
 
     std::vector<std::size_t>    jobs;

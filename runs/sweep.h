@@ -10,10 +10,18 @@
 
 namespace dpcontact
 {
+  /// How the rows are computed.
+  enum class SweepMode
+  {
+    direct,  ///< every row for itself
+    families ///< one loading path serves rows of equal ν and φ (solver/families.h)
+  };
+
   /// A grid to compute and where it goes.
   struct Sweep
   {
     std::vector<Case>     cases; ///< in the order of the table
+    SweepMode             mode = SweepMode::direct;
     SolverOptions         solver;
     std::filesystem::path database;
     unsigned int          jobs         = 1;

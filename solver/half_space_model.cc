@@ -37,6 +37,7 @@ namespace dpcontact
         zones.surface_halvings = options.surface_halvings.value_or(0);
         zones.domain_radius = options.domain_radius;
         zones.stretch       = options.mesh_stretch;
+        zones.octaves       = options.octaves;
         make_zoned_mesh(zones, triangulation);
       }
     const bool curved = options.surface == Surface::sphere;
@@ -108,6 +109,48 @@ namespace dpcontact
     to_si(curve.loading);
     to_si(curve.unloading);
     return curve;
+  }
+
+  HalfSpaceModel::BranchedRun HalfSpaceModel::run(const Levels &levels, const StepObserver &observer)
+  {
+    BranchedRun run;
+    LoadPath<2> path = start_path(1, observer);
+    std::size_t stop = 0;
+    const auto  at_level = [&](const double level) {
+      run.levels.push_back(level);
+      while (stop < levels.stops.size() && level >= levels.stops[stop] * (1 - 1e-12))
+        {
+          BranchedRun::Stop at;
+          at.loading_points = run.levels.size() + 1;
+          at.profile        = profile();
+          at.unloading      = path.unload_and_return(levels.unloading_steps(stop));
+          to_si(at.unloading);
+          run.stops.push_back(std::move(at));
+          ++stop;
+        }
+    };
+    const double guess = peak_approach_guess / unit_system.displacement; // of one sphere, at the peak
+    run.loading = path.load(
+      scene.force_max / unit_system.force(),
+      guess,
+      [&](const double level, const CurvePoint &present) {
+        return levels.next(level,
+                           level > 0 ? present.approach / (2 * guess * level * level) : 1.,
+                           stop < levels.stops.size() ? levels.stops[stop] : 1.);
+      },
+      at_level);
+    counted = path.counters();
+    to_si(run.loading);
+    return run;
+  }
+
+  std::vector<PressurePoint> HalfSpaceModel::profile() const
+  {
+    std::vector<PressurePoint> result;
+    for (const auto &[r, p] : contact_system->contact().profile(contact_system->u, contact_system->approach))
+      if (p > 0)
+        result.push_back({r * unit_system.length, p * unit_system.stress});
+    return result;
   }
 
   void HalfSpaceModel::to_si(std::vector<CurvePoint> &branch) const

@@ -48,6 +48,31 @@ namespace dpcontact
     /// The loading branch alone, from the virgin state.
     std::vector<CurvePoint> run_to_peak(unsigned int loading_steps, const StepObserver &observer);
 
+    /// A loading branch from which several unloading branches leave.
+    struct Levels
+    {
+      std::vector<double> stops; ///< (F/F_max)^⅓ where to unload, ascending; the last is 1
+      std::function<unsigned int(std::size_t stop)> unloading_steps;
+      /// The next level after `level`, at most the next stop. `approach_ratio`: δ over Hertz's at `level`.
+      std::function<double(double level, double approach_ratio, double stop)> next;
+    };
+    struct BranchedRun
+    {
+      struct Stop
+      {
+        std::size_t                loading_points; ///< of the loading branch up to this stop
+        std::vector<CurvePoint>    unloading;
+        std::vector<PressurePoint> profile;
+      };
+      std::vector<double>     levels; ///< of the loading branch's points, without the origin
+      std::vector<CurvePoint> loading;
+      std::vector<Stop>       stops;
+    };
+    BranchedRun run(const Levels &levels, const StepObserver &observer);
+
+    /// Contact pressure of the present state, from the axis outwards, where it is positive.
+    std::vector<PressurePoint> profile() const;
+
     const UnitSystem                 &units() const { return unit_system; }
     const ContactSystem<2>           &system() const { return *contact_system; }
     const Discretization<2>          &discretization() const { return *space; }

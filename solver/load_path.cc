@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace dpcontact
 {
@@ -20,7 +21,10 @@ namespace dpcontact
   template <int dim>
   bool LoadPath<dim>::try_step(const Control control, const double target)
   {
-    const double scale = control == Control::force ? std::max(target, 0.1 * peak_force) : peak_force;
+    // While unloading the residual stresses stay, whose rounding the load itself does not measure.
+    const double scale = control != Control::force ? peak_force :
+                         unloading                 ? std::max(target, 0.1 * peak_force) :
+                                                     target;
     system.set_control(control, target, scale);
     for (unsigned int k = 0; k <= options.max_augmentations; ++k)
       {
@@ -57,6 +61,10 @@ namespace dpcontact
         const double target = force_of(next);
         const auto   saved  = system.snapshot();
 
+        // What the last step left to the penalty becomes multiplier.
+        if (options.augment && present_force > 0)
+          system.contact().augment(system.u, system.approach);
+
         // From no contact at all: Hertz's δ ∝ τ², and at least what lets a node touch.
         if (level == 0)
           {
@@ -68,7 +76,7 @@ namespace dpcontact
           system.cover(system.reach() * next / level);
 
         // Predictor: the secant in the force's own parameter, where there is one.
-        const double now = system.force();
+        const double now = present_force;
         if (options.predict && has_previous && target > 0)
           {
             const double previous = last_force;
@@ -89,16 +97,14 @@ namespace dpcontact
           {
             system.restore(saved);
             system.grow();
-            system.residual(); // the present force, for the predictor
             continue;
           }
         if (converged)
           {
-            if (options.augment && target > 0)
-              system.contact().augment(system.u, system.approach);
             previous_u        = saved.u;
             previous_approach = saved.approach;
             last_force        = now;
+            present_force     = target;
             has_previous      = true;
             const auto integrals = system.commit();
             dissipated += 2 * integrals.dissipation;
@@ -115,7 +121,6 @@ namespace dpcontact
         else
           {
             system.restore(saved);
-            system.residual();
             ++count.cut_backs;
             if (++halvings > options.max_cut_backs)
               {
@@ -155,7 +160,22 @@ namespace dpcontact
   template <int dim>
   std::vector<CurvePoint> LoadPath<dim>::load(const double peak, const double peak_approach_guess)
   {
-    peak_force = peak;
+    const double n = options.loading_steps;
+    return load(peak, peak_approach_guess, [n](const double level, const CurvePoint &) {
+      return (std::round(level * n) + 1) / n;
+    });
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::load(const double                       peak,
+                                              const double                       peak_approach_guess,
+                                              const NextLevel                   &next_level,
+                                              const std::function<void(double)> &at_level)
+  {
+    peak_force     = peak;
+    present_force  = 0;
+    unloading      = false;
+    approach_guess = peak_approach_guess;
     system.contact().set_active(true);
     CurvePoint origin;
     origin.approach = origin.force = origin.contact_radius = origin.pressure_max = 0;
@@ -163,14 +183,16 @@ namespace dpcontact
     std::vector<CurvePoint> points{origin};
 
     const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };
-    const double n      = options.loading_steps;
-    approach_guess      = peak_approach_guess;
-    for (unsigned int i = 0; i < options.loading_steps; ++i)
+    for (double level = 0; level < 1;)
       {
-        advance("loading", force_of, i / n, (i + 1) / n);
+        const double next = next_level(level, points.back());
+        advance("loading", force_of, level, next);
+        level = next;
         points.push_back(record());
         if (observer)
-          observer("loading", (i + 1) / n, points.back().newton_iterations);
+          observer("loading", level, points.back().newton_iterations);
+        if (at_level)
+          at_level(level);
       }
     return points;
   }
@@ -178,15 +200,22 @@ namespace dpcontact
   template <int dim>
   std::vector<CurvePoint> LoadPath<dim>::unload()
   {
+    return unload(options.unloading_steps);
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::unload(const unsigned int steps)
+  {
     std::vector<CurvePoint> points{record()};
+    unloading           = true;
     has_previous        = false; // the tangent at the peak is another one now
     const double peak   = system.force();
     const auto force_of = [peak](const double t) { return peak * std::pow(t, 1.5); };
-    const double n      = options.unloading_steps;
-    for (unsigned int i = 0; i < options.unloading_steps; ++i)
+    const double n      = steps;
+    for (unsigned int i = 0; i < steps; ++i)
       {
-        advance("unloading", force_of, 1 - i / n, i + 1 == options.unloading_steps ? 0. : 1 - (i + 1) / n);
-        if (i + 1 < options.unloading_steps)
+        advance("unloading", force_of, 1 - i / n, i + 1 == steps ? 0. : 1 - (i + 1) / n);
+        if (i + 1 < steps)
           points.push_back(record());
         if (observer)
           observer("unloading", (i + 1) / n, points.back().newton_iterations);
@@ -197,6 +226,24 @@ namespace dpcontact
     released.contact_radius = 0;
     released.pressure_max   = 0;
     points.push_back(released);
+    return points;
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::unload_and_return(const unsigned int steps)
+  {
+    const auto   state    = system.snapshot();
+    const auto   before   = std::make_tuple(previous_u, previous_approach, has_previous, present_force, last_force,
+                                        last_integrals, dissipated, peak_force);
+    const double force    = system.force();
+    peak_force            = force;
+    const auto   points   = unload(steps);
+    std::tie(previous_u, previous_approach, has_previous, present_force, last_force, last_integrals, dissipated, peak_force) =
+      before;
+    unloading = false;
+    system.restore(state);
+    system.set_control(Control::force, force, peak_force);
+    system.residual();
     return points;
   }
 

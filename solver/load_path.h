@@ -27,7 +27,7 @@ namespace dpcontact
       unsigned int  unloading_steps        = 8;
       bool          augment                = true;
       bool          predict                = true; ///< extrapolate the last step into the next
-      double        penetration_tolerance  = 1e-7; ///< largest gap violation over the approach
+      double        penetration_tolerance  = 1e-6; ///< largest gap violation over the approach
       unsigned int  max_augmentations      = 20;
       unsigned int  max_cut_backs          = 10;   ///< halvings of one nominal step
       NewtonOptions newton;
@@ -45,6 +45,19 @@ namespace dpcontact
     /// @throws SolverError with the reason where the path ends early.
     std::vector<CurvePoint> load(double peak, double peak_approach_guess);
 
+    /// The next level τ in (τ, 1] after the level τ that was reached with the given point.
+    using NextLevel = std::function<double(double level, const CurvePoint &present)>;
+
+    /// Likewise through levels of the caller's choice; `at_level(τ)` is called at each, and may call
+    /// unload_and_return().
+    std::vector<CurvePoint> load(double                             peak,
+                                 double                             peak_approach_guess,
+                                 const NextLevel                   &next_level,
+                                 const std::function<void(double)> &at_level = {});
+
+    /// unload() in `steps` steps, after which system and path are as before.
+    std::vector<CurvePoint> unload_and_return(unsigned int steps);
+
     /// From the present state to separation; the first point is the present one, the last is free
     /// of contact, its approach that at which the plane would touch the deformed surface.
     std::vector<CurvePoint> unload();
@@ -58,6 +71,7 @@ namespace dpcontact
 
     bool       try_step(Control control, double target);
     void       advance(const char *stage, const std::function<double(double)> &force_of, double from, double to);
+    std::vector<CurvePoint> unload(unsigned int steps);
     CurvePoint record();
 
     ContactSystem<dim> &system;
@@ -66,10 +80,12 @@ namespace dpcontact
     Counters            count;
     NewtonReport        report;
     double              peak_force     = 0;
+    bool       unloading      = false;
     double              approach_guess = 0; ///< at the peak
     double              dissipated     = 0;
     int                 iterations_of_point = 0;
-    double              last_force = 0; ///< force of the converged state before the present one
+    double              present_force = 0; ///< of the converged state
+    double              last_force    = 0; ///< force of the converged state before the present one
     typename ContactSystem<dim>::Integrals last_integrals;
     std::vector<double> previous_u; ///< the converged state before the present one
     double              previous_approach = 0;

@@ -5,6 +5,7 @@
 #include "solver/half_space_model.h"
 #include "solver/hertz.h"
 #include "solver/recovery.h"
+#include "solver/pilot.h"
 #include "solver/step_extrapolation.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
-#include <sys/resource.h>
 
 namespace dpcontact
 {
@@ -21,24 +21,6 @@ namespace dpcontact
   {
     constexpr unsigned int first_loading_steps   = 16;
     constexpr unsigned int most_loading_steps    = 1024;
-    constexpr unsigned int elastic_steps         = 64;
-    constexpr unsigned int pilot_resolution      = 16;
-    constexpr unsigned int pilot_steps           = 10;
-    constexpr unsigned int most_pilots           = 5;
-    constexpr double       pilot_accuracy        = 0.04; ///< of the contact radius, relative
-
-    /// Error left after extrapolation, as a share of the difference between the two finest runs, while
-    /// these are the first two and later; and of the difference between the two finest extrapolated
-    /// curves. Halving the steps on, to 512, for Λ = 11, 392, 838 and 3532 leaves 0.05 to 0.26, 0.05 to 0.15
-    /// (0.2 where the cells at the surface are not halved), and up to 0.4 of them.
-    constexpr double share_of_first_difference        = 0.25;
-    constexpr double share_of_difference              = 0.15;
-    constexpr double share_of_extrapolated_difference = 0.35;
-
-    /// Ratio of the peak's approach to Hertz's beyond which an edge that moves from node to node
-    /// would be felt: at Λ = 3532 (ratio 1.36) the phase between edge and nodes moves δ_max
-    /// by 0.13 % without, by 0.02 % with one more halving of the cells at the surface.
-    constexpr double strongly_plastic = 1.22;
 
     void check_option(const bool holds, const char *name, const double value, const char *range)
     {
@@ -48,76 +30,35 @@ namespace dpcontact
       message << "option " << name << " is " << value << "; it must be " << range;
       throw InputError(message.str());
     }
-
-    std::uint64_t peak_memory()
+    /// The first run's steps where the finest has `finest`: halved at least once, and on down to
+    /// first_loading_steps while they stay whole.
+    unsigned int coarsest(unsigned int finest)
     {
-      rusage usage{};
-      getrusage(RUSAGE_SELF, &usage);
-      return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-    }
-
-    void add_cost(Cost &cost, const HalfSpaceModel &model)
-    {
-      cost.dofs = model.discretization().n_free();
-      cost.steps += model.counters().steps;
-      cost.newton_iterations += model.counters().newton_iterations;
-      cost.cut_backs += model.counters().cut_backs;
-    }
-
-    /// What coarse runs tell about the peak.
-    struct Pilot
-    {
-      double contact_radius; ///< m
-      double approach;       ///< over Hertz's
-    };
-
-    /// Coarse runs on meshes fitted better and better.
-    Pilot run_pilots(const Material     &material,
-                     const Scene        &scene,
-                     const FirstYield   &yield,
-                     Cost               &cost,
-                     const StepObserver &observer)
-    {
-      const double elastic = hertz::approach(material, scene.radius, scene.force_max);
-      Pilot        pilot{hertz::contact_radius(scene.radius, elastic), 1};
-      if (scene.force_max <= yield.onset_force())
-        return pilot;
-      // Defaults but for the mesh: what is varied in a study must not move the mesh it is studied on.
-      SolverOptions coarse;
-      coarse.resolution = pilot_resolution;
-      for (unsigned int k = 0; k < most_pilots; ++k)
-        {
-          HalfSpaceModel model(material, scene, coarse, pilot.contact_radius);
-          const auto     peak = model.run_to_peak(pilot_steps, observer).back();
-          add_cost(cost, model);
-          const double change  = peak.contact_radius / pilot.contact_radius - 1;
-          pilot.contact_radius = peak.contact_radius;
-          pilot.approach       = peak.approach / elastic;
-          if (std::abs(change) < pilot_accuracy)
-            break;
-        }
-      return pilot;
-    }
-
-    void warn(const Scene &scene, Solution &solution)
-    {
-      const auto        &peak = solution.curve.loading.back();
-      std::ostringstream text;
-      if (peak.contact_radius > 0.1 * scene.radius)
-        {
-          text << "small strain is left behind: contact radius over sphere radius is "
-               << peak.contact_radius / scene.radius << " (> 0.1)";
-          solution.warnings.push_back(text.str());
-        }
-      const double strain = solution.curve.unloading.back().plastic_strain_max;
-      if (strain > 0.1)
-        {
-          text.str("");
-          text << "small strain is left behind: the largest plastic strain is " << strain << " (> 0.1)";
-          solution.warnings.push_back(text.str());
-        }
+      do
+        finest /= 2;
+      while (finest % 2 == 0 && finest / 2 >= first_loading_steps);
+      return finest;
     }
   } // namespace
+
+  void add_warnings(const Scene &scene, Solution &solution)
+  {
+    const auto        &peak = solution.curve.loading.back();
+    std::ostringstream text;
+    if (peak.contact_radius > 0.1 * scene.radius)
+      {
+        text << "small strain is left behind: contact radius over sphere radius is "
+             << peak.contact_radius / scene.radius << " (> 0.1)";
+        solution.warnings.push_back(text.str());
+      }
+    const double strain = solution.curve.unloading.back().plastic_strain_max;
+    if (strain > 0.1)
+      {
+        text.str("");
+        text << "small strain is left behind: the largest plastic strain is " << strain << " (> 0.1)";
+        solution.warnings.push_back(text.str());
+      }
+  }
 
   void SolverOptions::check() const
   {
@@ -126,6 +67,7 @@ namespace dpcontact
     check_option(level <= 6, "level", level, "at most 6");
     check_option(std::isfinite(domain_radius) && domain_radius >= 10, "domain-radius", domain_radius, "finite and at least 10 contact radii");
     check_option(std::isfinite(mesh_stretch) && mesh_stretch >= 0.5 && mesh_stretch <= 2, "mesh-stretch", mesh_stretch, "from 0.5 to 2");
+    check_option(loading_steps % 2 == 0 && loading_steps <= 4096, "loading-steps", loading_steps, "even and at most 4096 (0: as many as step-tolerance needs)");
     check_option(step_tolerance > 0 && step_tolerance <= 1, "step-tolerance", step_tolerance, "above 0 and at most 1");
     check_option(std::isfinite(penalty_stiffness) && penalty_stiffness > 0, "penalty-stiffness", penalty_stiffness, "finite and positive");
   }
@@ -154,7 +96,8 @@ namespace dpcontact
         scene.force_max <= yield.onset_force())
       {
         Solution solution = elastic_solution(material, scene, elastic_steps);
-        warn(scene, solution);
+        solution.used     = options;
+        add_warnings(scene, solution);
         solution.cost.peak_memory_bytes = peak_memory();
         solution.cost.wall_seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -180,10 +123,7 @@ namespace dpcontact
                      fields_directory + "/" + name);
     };
     const auto at_peak = [&] {
-      solution.peak_profile.clear();
-      for (const auto &[r, p] : model.system().contact().profile(model.system().u, model.system().approach))
-        if (p > 0)
-          solution.peak_profile.push_back({r * model.units().length, p * model.units().stress});
+      solution.peak_profile = model.profile();
       solution.peak_axis.clear();
       for (const auto &[depth, axial, radial] : axis_profile(model.system()))
         solution.peak_axis.push_back({depth * model.units().length,
@@ -192,7 +132,7 @@ namespace dpcontact
       write("peak.vtu");
     };
 
-    unsigned int steps  = first_loading_steps;
+    unsigned int steps = options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
     Curve        coarse = model.run(steps, observer);
     add_cost(solution.cost, model);
     std::optional<Curve> extrapolated; // from the two runs before
@@ -220,13 +160,22 @@ namespace dpcontact
             {
               solution.step_error = difference; // not yet a curve: halve the steps once more
             }
-        if (solution.step_error <= options.step_tolerance && (finer || !options.extrapolation))
+        const bool enough = options.loading_steps > 0 ? steps == options.loading_steps :
+                                                        solution.step_error <= options.step_tolerance;
+        if (enough && (finer || !options.extrapolation))
           {
             solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
+            solution.coarser_share = extrapolated ? share_of_extrapolated_difference :
+                                     finer        ? share_of_first_difference :
+                                                    1.;
             solution.curve         = finer ? *finer : fine;
+            used.loading_steps     = steps;
             break;
           }
-        if (2 * steps > most_loading_steps)
+        if (enough && options.loading_steps > 0)
+          throw SolverError("with loading-steps " + std::to_string(steps) +
+                            " the extrapolated curve is not monotone: ask for more steps");
+        if (2 * steps > most_loading_steps && options.loading_steps == 0)
           {
             std::ostringstream message;
             message << "step-tolerance " << options.step_tolerance << " is not reached with " << steps
@@ -238,7 +187,8 @@ namespace dpcontact
         extrapolated = std::move(finer);
       }
 
-    warn(scene, solution);
+    solution.used = used;
+    add_warnings(scene, solution);
     solution.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     solution.cost.peak_memory_bytes = peak_memory();

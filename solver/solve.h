@@ -53,12 +53,15 @@ namespace dpcontact
     unsigned int  level             = 0;     ///< uniform refinements of the whole mesh on top
     double        domain_radius     = 200;   ///< far boundary, in contact radii
     double        mesh_stretch      = 1;     ///< stretches the fitted mesh (similarity checks)
+    unsigned int  octaves           = 0;     ///< contacts down to 2^−octaves are resolved as well (zones.h)
     double        step_tolerance    = 2e-3;  ///< stated accuracy of F(δ) in the load step, relative to F_max
+    /// Loading steps of the finest run, for studies; 0: as many as step_tolerance needs.
+    unsigned int  loading_steps     = 0;
     bool          extrapolation     = true;  ///< extrapolate in the load step (step_extrapolation.h)
     bool          predictor         = true;  ///< start Newton from the extrapolated last step
     bool          closed_form       = true;  ///< Hertz where nothing yields and no fields are asked for
     ContactMethod contact           = ContactMethod::augmented;
-    double        penalty_stiffness = 1e5;   ///< in units of E/a
+    double        penalty_stiffness = 1e6;   ///< in units of E/a
     Units         units             = Units::scaled;
     bool          condensation      = true;  ///< solve for the part that yields or touches (core.h)
     /// `sphere` asks for domain_radius a ≤ R. Its approach holds a compliance linear in the force, which
@@ -98,6 +101,7 @@ namespace dpcontact
   /// A computed scene.
   struct Solution
   {
+    SolverOptions              used; ///< with surface_halvings and loading_steps as they were in the end
     FirstYield                 yield;
     Curve                      curve;
     std::vector<PressurePoint> peak_profile;   ///< contact pressure at F_max
@@ -106,12 +110,16 @@ namespace dpcontact
     /// The curve with one halving of the load steps less: how far apart both are tells the error
     /// that the load step leaves in a coefficient. Equal to `curve` where it has no such error.
     Curve                      coarser_steps;
+    double                     coarser_share = 0; ///< expected share of that difference, see solve.cc
     double                     mesh_radius = 0; ///< contact radius that the mesh is fitted to, m
     MeshQuality                mesh_quality; ///< of the mesh in units of its contact radius
     Cost                       cost;
     unsigned int               apex_points = 0; ///< converged apex states met over the whole path
     std::vector<std::string>   warnings;        ///< e.g. small strain left behind
   };
+
+  /// Adds what limits the trust in a solution to its `warnings`: a/R > 0.1, plastic strain > 0.1.
+  void add_warnings(const Scene &scene, Solution &solution);
 
   /// Told after every converged step: stage, fraction of the branch done (0…1), Newton iterations.
   using StepObserver = std::function<void(const char *stage, double fraction, int newton_iterations)>;

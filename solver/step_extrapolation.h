@@ -18,6 +18,14 @@ namespace dpcontact
   /// 838 (φ = 40°), of 1.65 to 1.9 at Λ = 392 and 3532 (φ = 20°).
   constexpr double step_order = 0.95;
 
+  /// Error left after extrapolation, as a share of the difference between the two finest runs, while
+  /// these are the first two and later; and of the difference between the two finest extrapolated
+  /// curves. Halving the steps on, to 512, for Λ = 11, 392, 838 and 3532 leaves 0.05 to 0.26, 0.05 to 0.15
+  /// (0.2 where the cells at the surface are not halved), and up to 0.4 of them.
+  constexpr double share_of_first_difference        = 0.25;
+  constexpr double share_of_difference              = 0.15;
+  constexpr double share_of_extrapolated_difference = 0.35;
+
   /// Richardson extrapolation in the load step, for an error of the given order. `coarse` and `fine` pass through the same force levels, `fine` through one more
   /// between each two. The result has the points of `fine`, whose approach and dissipated energy
   /// are moved on by their difference to `coarse`, interpolated linearly between common levels.

@@ -17,6 +17,8 @@ namespace dpcontact::commands
   /// Each adds one subcommand that sets `action` when it is chosen.
   void add_yield(CLI::App &program, Action &action);
   void add_solve(CLI::App &program, Action &action);
+  void add_converge(CLI::App &program, Action &action);
+  void add_compare(CLI::App &program, Action &action);
   void add_sweep(CLI::App &program, Action &action);
   void add_fit(CLI::App &program, Action &action);
   void add_export(CLI::App &program, Action &action);

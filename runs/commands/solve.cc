@@ -43,6 +43,7 @@ namespace dpcontact::commands
               {"scene", scene_json(input)},
               {"yield", yield_json(solution.yield)},
               {"fit", fit_json(row)},
+              {"error", error_json(row)},
               {"published_convention", published_json(row)},
               {"peak",
                {{"force", row.curve.loading.back().force},
@@ -60,6 +61,9 @@ namespace dpcontact::commands
               {"reason", row.reason},
               {"warnings", row.warnings},
               {"options", options_json(used)},
+              {"used",
+               {{"surface-halvings", solution.used.surface_halvings.value_or(0)},
+                {"loading-steps", solution.used.loading_steps}}},
               {"versions", versions()}};
     }
 

@@ -26,6 +26,12 @@ namespace dpcontact::commands
     std::vector<Setting> sweep_settings()
     {
       return {{"jobs", Setting::Kind::count, "worker processes [all cores]"},
+              {"mode",
+               Setting::Kind::choice,
+               "direct: every row for itself; families: one loading path for rows of equal nu and "
+               "phi [direct]",
+               Dimension::number,
+               {"direct", "families"}},
               {"database",
                Setting::Kind::text,
                "HDF5 file; finished rows are kept in FILE.rows beside it "
@@ -50,6 +56,15 @@ namespace dpcontact::commands
         throw InputError("database: is empty");
       else
         sweep.database = database->second;
+
+      const auto mode = texts.find("mode");
+      if (mode != texts.end())
+        {
+          for (const Setting &setting : sweep_settings())
+            if (setting.name == mode->first)
+              setting.check(mode->second);
+          sweep.mode = mode->second == "families" ? SweepMode::families : SweepMode::direct;
+        }
 
       const auto jobs = texts.find("jobs");
       sweep.jobs      = jobs == texts.end() ? std::max(1U, std::thread::hardware_concurrency())

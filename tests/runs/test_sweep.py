@@ -9,7 +9,7 @@ import subprocess
 import time
 
 import program
-from program import CORRUPT, FILE, INCOMPLETE, MISMATCH
+from program import BAD_INPUT, CORRUPT, FILE, INCOMPLETE, MISMATCH
 
 # Elastic and plastic rows, coarse enough for a fraction of a second each.
 GRID = """
@@ -153,6 +153,37 @@ class Sweep(program.TestCase):
         with self.subTest("a sweep mends a truncated database from its rows"):
             self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
             self.assertEqual(len(self.table("table.h5")), 4)
+
+    def test_families(self):
+        grid = self.write("families.prm", GRID.replace("20MPa, 1GPa", "5MPa, 20MPa, 1GPa"))
+        arguments = ["sweep", grid, "--jobs", "2", "--mode", "families", "--database"]
+        first = self.document(*arguments, "families.h5")
+        self.assertEqual((first["computed"], first["converged"]), (6, 6))
+        families = self.table("families.h5")
+
+        with self.subTest("a lost row comes back as it was"):
+            row = sorted((self.directory / "families.h5.rows").glob("*.json"),
+                         key=lambda path: path.name == "settings.json")[0]
+            row.unlink()
+            self.assertEqual(self.document(*arguments, "families.h5")["computed"], 1)
+            self.assertEqual(self.table("families.h5"), families)
+
+        with self.subTest("rows of the two modes do not mix"), self.unchanged_files():
+            result = self.run_program("sweep", grid, "--database", "families.h5")
+            self.assertEqual(result.returncode, MISMATCH, result.stderr)
+            self.assertIn("families", result.stderr)
+
+        with self.subTest("direct rows agree within the stated errors"):
+            self.succeed("sweep", grid, "--jobs", "2", "--database", "direct.h5")
+            found = self.document("compare", "direct.h5", "families.h5", "--csv", "report.csv")
+            self.assertEqual((found["rows"], found["agree"]), (6, 6), found)
+            report = read_table(self.directory / "report.csv")
+            self.assertEqual([row["agrees"] for row in report], ["yes"] * 6)
+            self.assertGreater(abs(float(report[0]["m_relative_difference"])), 0)
+
+        with self.subTest("databases of other rows are not compared"):
+            self.succeed(*self.arguments, "other.h5")
+            self.fail_with(BAD_INPUT, "compare", "families.h5", "other.h5")
 
     def check_truncated(self, database):
         path = self.directory / database

@@ -1,0 +1,173 @@
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/convergence.h"
+#include "runs/documents.h"
+#include "runs/version.h"
+#include "solver/environment.h"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts texts;
+      std::string  parameter_file;
+      bool         json = false;
+    };
+
+    constexpr const char *names[] = {"a", "b", "m", "n"};
+
+    Json by_coefficient(const std::array<double, 4> &values)
+    {
+      Json result;
+      for (unsigned int c = 0; c < 4; ++c)
+        result[names[c]] = values[c];
+      return result;
+    }
+
+    Json errors_json(const CoefficientErrors &errors)
+    {
+      Json result;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          const ErrorParts &e = errors[c];
+          result[names[c]]    = {{"mesh", e.mesh},
+                                 {"step", e.step},
+                                 {"contact", e.contact},
+                                 {"far_field", e.far_field},
+                                 {"finite_radius", e.finite_radius},
+                                 {"fit", e.fit},
+                                 {"total", e.total()}};
+        }
+      return result;
+    }
+
+    Json document_of(const Case &input, const SolverOptions &options, const Convergence &found)
+    {
+      Json studies = Json::array();
+      for (const ErrorStudy &study : found.studies)
+        {
+          Json levels = Json::array();
+          for (const auto &level : study.levels)
+            {
+              Json entry   = by_coefficient(level.values);
+              entry["level"] = level.label;
+              levels.push_back(entry);
+            }
+          studies.push_back({{"source", study.source},
+                             {"varied", study.varied},
+                             {"levels", levels},
+                             {"order", by_coefficient(study.order)},
+                             {"limit", by_coefficient(study.limit)},
+                             {"error", by_coefficient(study.error)}});
+        }
+      return {{"material", material_json(input)},
+              {"scene", scene_json(input)},
+              {"load_level", input.scene.force_max / found.solution.yield.force},
+              {"approach_ratio",
+               found.solution.curve.loading.back().approach /
+                 (found.solution.yield.approach *
+                  std::pow(input.scene.force_max / found.solution.yield.force, 2. / 3))},
+              {"contact_radius", found.solution.curve.loading.back().contact_radius},
+              {"coefficients", by_coefficient(found.values)},
+              {"estimate", errors_json(found.estimate)},
+              {"studied", errors_json(found.studied)},
+              {"studies", studies},
+              {"used",
+               {{"surface-halvings", found.solution.used.surface_halvings.value_or(0)},
+                {"loading-steps", found.solution.used.loading_steps}}},
+              {"options", options_json(options)},
+              {"versions", versions()}};
+    }
+
+    std::string digits(const double value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(7) << value;
+      return text.str();
+    }
+
+    void print_row(const std::string &head, const std::array<double, 4> &values)
+    {
+      std::cout << std::left << std::setw(34) << head << std::right;
+      for (const double value : values)
+        std::cout << std::setw(14) << (std::isnan(value) ? "-" : digits(value));
+      std::cout << '\n';
+    }
+
+    void print_for_people(const Case &input, const Convergence &found)
+    {
+      std::cout << label(input) << "\n\n" << std::setw(34) << "";
+      for (const char *name : names)
+        std::cout << std::setw(14) << name;
+      std::cout << '\n';
+      print_row("as asked for", found.values);
+      for (const ErrorStudy &study : found.studies)
+        {
+          std::cout << '\n';
+          for (const auto &level : study.levels)
+            print_row(study.source + ", " + study.varied + " " + level.label, level.values);
+          print_row("  order", study.order);
+          print_row("  limit", study.limit);
+          print_row("  error", study.error);
+        }
+      std::cout << "\nstudied (above) and estimated (what solve and the database state) errors\n";
+      const std::pair<const char *, double ErrorParts::*> parts[] = {
+        {"mesh", &ErrorParts::mesh},
+        {"step", &ErrorParts::step},
+        {"contact", &ErrorParts::contact},
+        {"far_field", &ErrorParts::far_field},
+        {"finite_radius", &ErrorParts::finite_radius},
+        {"fit", &ErrorParts::fit}};
+      const auto all = [](const CoefficientErrors &errors, const auto &of) {
+        return std::array<double, 4>{of(errors[0]), of(errors[1]), of(errors[2]), of(errors[3])};
+      };
+      for (const auto &[name, part] : parts)
+        for (const bool studied : {true, false})
+          print_row(std::string(name) + (studied ? ", studied" : ", estimated"),
+                    all(studied ? found.studied : found.estimate,
+                        [part = part](const ErrorParts &e) { return e.*part; }));
+      for (const bool studied : {true, false})
+        print_row(std::string("total") + (studied ? ", studied" : ", estimated"),
+                  all(studied ? found.studied : found.estimate,
+                      [](const ErrorParts &e) { return e.total(); }));
+    }
+
+    ExitCode run(const Options &options)
+    {
+      const SettingTexts  texts = merged(options.parameter_file,
+                                        scene_settings() + solver_settings(),
+                                        options.texts);
+      const Case          input = read_case(texts);
+      const SolverOptions used  = read_solver_options(texts);
+      const Environment   environment;
+      const Convergence   found = study_convergence(input, used, [](const std::string &text) {
+        std::cerr << "converge: " << text << std::endl;
+      });
+      if (options.json)
+        print_document(document_of(input, used, found));
+      else
+        print_for_people(input, found);
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_converge(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "converge", "The error of each coefficient by source, from at least three levels of each");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    add_settings(*command, solver_settings(), options->texts, "Solver");
+    add_parameter_file(*command, options->parameter_file);
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,39 @@
+#ifndef DPCONTACT_RUNS_COMPARISON_H
+#define DPCONTACT_RUNS_COMPARISON_H
+
+#include "database/store.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace dpcontact
+{
+  /// A row of one database beside the row of another for the same material and scene.
+  struct RowComparison
+  {
+    const Record *row, *other;
+
+    /// One coefficient: a, b, m, n in this order.
+    struct Difference
+    {
+      double value, other; ///< of the two rows
+      double stated;       ///< sum of the errors that both rows state: mesh, step, contact, far field
+      /// Finite radius and fit are left out: both rows have them alike.
+      bool agrees() const;
+    };
+    Difference difference[4];
+
+    bool agrees() const;
+  };
+
+  /// Pairs the converged rows of two databases by their inputs, in the order of the first.
+  /// @throws InputError where a row of the first has no partner or one of the two has failed.
+  std::vector<RowComparison> compare(const Database &one, const Database &other);
+
+  /// One line a row: inputs, load level, and of each coefficient both values, the relative
+  /// difference and the stated one. Lines that begin with `#` explain the columns.
+  /// @throws FileError where the file cannot be written.
+  void write_csv(const std::filesystem::path &file, const std::vector<RowComparison> &rows);
+} // namespace dpcontact
+
+#endif

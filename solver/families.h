@@ -1,0 +1,38 @@
+#ifndef DPCONTACT_SOLVER_FAMILIES_H
+#define DPCONTACT_SOLVER_FAMILIES_H
+
+#include "solver/solve.h"
+
+#include <vector>
+
+namespace dpcontact
+{
+  /// One scene of a family.
+  struct FamilyMember
+  {
+    Material material;
+    Scene    scene;
+  };
+
+  /// Computes all scenes of a similarity family (model section 4): with equal ν and φ, F/F_y depends on δ/δ_y
+  /// alone while loading, and on Λ = F_max/F_y besides while unloading. So one loading path serves
+  /// all members whose contact its mesh resolves, each unloaded from its own Λ.
+  ///
+  /// A path's mesh resolves contacts between half of its largest and that; with options.octaves = k
+  /// from 2^−(k+1) on, by cells that shrink towards the centre. Small meshes and several paths are the cheaper
+  /// way: the paths' common history costs little.
+  ///
+  /// Steps are equal in ln F, the finer the more the approach exceeds Hertz's; each path is computed
+  /// with these steps and with halved ones, and extrapolated. Scenes below first yield are Hertz's.
+  /// Resolution, contact and switches of `options` count as in solve_contact(); the steps do not
+  /// follow its step_tolerance, `step_error` says what they left. `cost` of a member is its share of
+  /// the family's.
+  /// @return one solution a member, in SI units; `peak_axis` and `mesh_quality` are left out.
+  /// @throws InputError where members differ in ν or φ, or a value is out of range; SolverError where a path
+  /// cannot be completed.
+  std::vector<Solution> solve_family(const std::vector<FamilyMember> &members,
+                                     const SolverOptions             &options,
+                                     const StepObserver              &observer = {});
+} // namespace dpcontact
+
+#endif

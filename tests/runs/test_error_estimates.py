@@ -1,0 +1,56 @@
+"""The estimated errors against studies of materials that the estimate was not calibrated on."""
+
+import importlib.machinery
+import importlib.util
+import pathlib
+import json
+import sys
+import unittest
+
+RUNS = pathlib.Path(__file__).resolve().parents[2] / "runs"
+
+
+def load(name):
+    """A script of runs/ as a module; their names have no ending."""
+    loader = importlib.machinery.SourceFileLoader(name, str(RUNS / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+class Estimates(unittest.TestCase):
+    """The claim: at least 11 of 12 studied errors are covered, and the estimate is typically below four times them."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.stored = json.loads(STUDY.STORE.read_text(encoding="utf-8"))
+        cls.found = STUDY.compare(cls.stored["verification"])
+
+    def test_materials_are_those_of_the_seed_and_not_calibrated_on(self):
+        materials = [tuple(entry["material"]) for entry in self.stored["verification"]]
+        self.assertEqual(materials, STUDY.verification())
+        self.assertEqual(len(set(materials)), 12)
+        self.assertFalse(set(materials) & set(STUDY.CALIBRATION))
+
+    def test_studies_are_of_the_present_coefficients(self):
+        for entry in self.stored["verification"][:3]:
+            with self.subTest(entry["material"]):
+                fit = STUDY.run("solve", entry["material"])["fit"]
+                for name in "abmn":
+                    # the same method on another machine: rounding, amplified by the path
+                    self.assertAlmostEqual(fit[name] / entry["coefficients"][name], 1, delta=1e-5)
+
+    def test_coverage(self):
+        for label in ("numerical", "total"):
+            for name in "abmn":
+                with self.subTest(f"{label} error of {name}"):
+                    covered, of, median = self.found[label, name]
+                    self.assertEqual(of, 12)
+                    self.assertGreaterEqual(covered, 11)
+                    self.assertLess(median, 4)
+
+
+if __name__ == "__main__":
+    STUDY = load("error_study")
+    STUDY.PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main(verbosity=2)
