@@ -142,6 +142,17 @@ def sweeps(grids, jobs):
     return seconds
 
 
+def others_load(seconds=1.0):
+    """Processor seconds a second that the machine spends while this program waits."""
+    def busy():
+        with open("/proc/stat", encoding="ascii") as file:
+            user, nice, system, _, _, irq, softirq, steal = map(int, file.readline().split()[1:9])
+        return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
+    before, clock = busy(), Clock()
+    time.sleep(seconds)
+    return (busy() - before) / clock.seconds()
+
+
 def has_modes():
     """Whether `dpcontact sweep` can compute similarity families."""
     command = [str(PROGRAM), "sweep", "--help"]

@@ -32,17 +32,19 @@ def load(materials):
 
 
 def compute(materials):
-    references, revision = {}, None
+    references = {}
     for name, constants in materials.items():
         tolerance, *meshes = RUNS[name]
         commands = [" ".join(f"{constants} {mesh} {tolerance}".split()) for mesh in meshes]
         results = []
         for command in commands:
             measure.say(f"reference: {command}")
-            results.append(measure.solve(command).document)
+            run = measure.solve(command)
+            if run.document is None:
+                raise SystemExit(f"benchmark: {run.message}")
+            results.append(run.document)
         references[name] = entry(commands, results)
-        revision = results[0]["versions"]["git_revision"]
-        text = json.dumps({"made_by": "runs/benchmark --reference", "git_revision": revision,
+        text = json.dumps({"made_by": "runs/benchmark --reference", "git_revision": results[0]["versions"]["git_revision"],
                            "references": references}, indent=2, ensure_ascii=False)
         FILE.write_text(text + "\n", encoding="utf-8")
 

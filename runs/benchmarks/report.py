@@ -2,6 +2,7 @@
 
 import csv
 import math
+import os
 import statistics
 
 import matplotlib
@@ -19,6 +20,8 @@ PARTS_OF_ITERATION = [("factorise", 1), ("solve", 2), ("assemble", 1), ("residua
 ONCE = ["mesh", "discretisation", "system", "cores", "fit"]
 STAGES = ["factorise", "solve", "assemble", "residual", "rest after a step", "core", "mesh",
           "discretisation", "elastic stiffness", "fit", "other"]
+# Series of the plot that the defaults belong to as well.
+REFINED = ("resolution", "surface halvings", "step tolerance")
 # Below this an error is one of rounding and has no place on a logarithmic axis.
 LEAST_ERROR = 1e-7
 
@@ -113,19 +116,23 @@ class Pages:
         markers = "*os^vDPXh<>"
         for axis, material in zip(axes.flat, materials):
             for k, name in enumerate(series):
-                points = sorted((row["processor_seconds"], max(row["law_error"], LEAST_ERROR)) for row in rows
-                                if row["material"] == material and row["series"] == name and not row["failure"])
-                if points:
-                    joined = "" if name in ("defaults", "savings off") else "-"
-                    axis.plot(*zip(*points), marker=markers[k % len(markers)], linestyle=joined, label=name,
-                              color=f"C{k % 10}", markersize=12 if name == "defaults" else 6, linewidth=1)
-            axis.axhspan(LEAST_ERROR / 10, doubt(stored[material])[0], color="0.9")
+                picked = [row for row in rows if row["material"] == material and not row["failure"] and
+                          (row["series"] == name or (name in REFINED and row["series"] == "defaults"))]
+                points = [(row["processor_seconds"], max(row["law_error"], LEAST_ERROR)) for row in picked]
+                if len(points) > (name in REFINED):
+                    axis.plot(*zip(*(sorted(points) if name in REFINED else points)), label=name,
+                              marker=markers[k % len(markers)], color=f"C{k % 10}", linewidth=1,
+                              linestyle="-" if name in REFINED or name == "penalty" else "",
+                              markersize=13 if name == "defaults" else 6, zorder=3 if name == "defaults" else 2)
+            axis.axhspan(LEAST_ERROR / 10, doubt(stored[material])[0], color="0.9", label="doubt about reference")
             axis.set(xscale="log", yscale="log", title=material,
                      xlabel="processor time of a curve (s)", ylabel="error of the law (of the peak force)")
             low = min((row["law_error"] for row in rows if row["material"] == material and not row["failure"]),
                       default=1e-5)
             axis.set_ylim(bottom=max(LEAST_ERROR, min(low, doubt(stored[material])[0]) / 2))
             axis.grid(True, which="both", color="0.93", zorder=0)
+            axis.xaxis.set_major_formatter("{x:g}")
+            axis.xaxis.set_minor_formatter(lambda x, _: f"{x:g}" if f"{x:e}"[0] in "25" else "")
         for axis in list(axes.flat)[len(materials):]:
             axis.set_visible(False)
         handles = {}
@@ -209,7 +216,7 @@ class Pages:
 
     # Sweeps.
 
-    def scaling_tables(self, seconds):
+    def scaling_tables(self, seconds, idle_loads):
         names = list(seconds)
         self.csv("scaling", ["round", *names], [[k + 1, *values] for k, values in enumerate(zip(*seconds.values()))])
 
@@ -219,7 +226,9 @@ class Pages:
         def ratio(over, under):
             return [a / b for a, b in zip(seconds[over], seconds[under])]
 
-        text = "Wall seconds of fresh sweeps, median and range of the rounds; ratios are of one round each.\n\n"
+        text = ("Wall seconds of fresh sweeps, median and range of the rounds; ratios are of one round each. Others' load "
+                f"while this was measured (processor seconds not ours, per second): {spread(idle_loads)}, of {os.cpu_count()} "
+                "cores: two workers can have what that leaves.\n\n")
         text += table(["materials, one worker", "s", "s / material"],
                       [[k, spread(seconds[name]), spread([s / k for s in seconds[name]])]
                        for k, name in ((2, "2 materials"), (4, "4 materials"), (8, "one worker"))])

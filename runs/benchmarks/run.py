@@ -46,6 +46,7 @@ VARIANTS = [
     ("penalty", "--contact penalty --penalty-stiffness 1e3", ROCKS),
     ("penalty", "--contact penalty --penalty-stiffness 1e4", ROCKS),
     ("penalty", "--contact penalty --penalty-stiffness 1e5", ROCKS),
+    ("penalty", "--contact penalty --penalty-stiffness 1e6", ROCKS),
     ("published mesh", "--mesh published", ALL),
     ("closed form off", "--closed-form off", ("elastic",)),
 ]
@@ -101,14 +102,16 @@ def scaling(pages):
         return dict(SWEEP, **{"E": values[0], "sigma-c": values[1]})
 
     seconds = {name: [] for name in ("2 materials", "4 materials", "one worker", "two workers", "two sweeps")}
+    others = []
     for k in range(SWEEP_REPEATS):
+        others.append(measure.others_load())
         measure.say(f"scaling: sweeps of 2, 4 and 8 materials, round {k + 1} of {SWEEP_REPEATS}")
         seconds["2 materials"].append(measure.sweeps([grid(grids[2])], jobs=1))
         seconds["4 materials"].append(measure.sweeps([grid(grids[4])], jobs=1))
         seconds["one worker"].append(measure.sweeps([grid(grids[8])], jobs=1))
         seconds["two workers"].append(measure.sweeps([grid(grids[8])], jobs=2))
         seconds["two sweeps"].append(measure.sweeps([grid(half) for half in halves], jobs=1))
-    pages.scaling_tables(seconds)
+    pages.scaling_tables(seconds, others)
 
 
 def families(pages):
