@@ -44,8 +44,8 @@ def compute(materials):
                 raise SystemExit(f"benchmark: {run.message}")
             results.append(run.document)
         references[name] = entry(commands, results)
-        text = json.dumps({"made_by": "runs/benchmark --reference", "git_revision": results[0]["versions"]["git_revision"],
-                           "references": references}, indent=2, ensure_ascii=False)
+        text = json.dumps({"made_again_by": "runs/benchmark --reference", "references": references},
+                          indent=2, ensure_ascii=False)
         FILE.write_text(text + "\n", encoding="utf-8")
 
 
@@ -53,6 +53,7 @@ def entry(commands, results):
     finest, others = results[0], results[1:]
     return {
         "command": "dpcontact solve " + commands[0] + " --json",
+        "git_revision": finest["versions"]["git_revision"],
         "scene": finest["scene"],
         "yield": {key: finest["yield"][key] for key in ("force", "approach")},
         "peak": {"approach": finest["peak"]["approach"]},
