@@ -7,28 +7,44 @@ namespace dpcontact
 {
   namespace
   {
-    /// Relative error base + plastic·x, x = δ_max/δ_Hertz(F_max) − 1, of a, b, m, n.
-    struct Line
+    /// Relative error base + factor·x^exponent, x = δ_max/δ_Hertz(F_max) − 1 ≥ 0.
+    struct Growth
     {
-      double base, plastic;
-      double at(const double x) const { return base + plastic * std::max(x, 0.); }
+      double base, factor, exponent;
+      double at(const double x) const
+      {
+        return base + factor * std::pow(std::max(x, 0.), exponent);
+      }
     };
 
-    // Calibrated by runs/error_study (12 materials; how well it covers others:
-    // runs/error_study.json).
-    constexpr Line mesh_error[4] = {{1e-4, 1e-2}, {1e-4, 2e-3}, {1e-3, 1e-2}, {2e-4, 1e-3}};
-    constexpr Line finite_radius_error[4] = {{.2, 1.}, {.15, .5}, {.5, 1.5}, {.1, .5}};
-    /// The step's part is this multiple of what the coefficient moves by, and at least a floor.
-    constexpr double step_multiple[4] = {2, 2, 2, 2};
-    constexpr Line   step_floor[4]    = {{1e-5, 2e-3}, {1e-5, 4e-4}, {1e-4, 2e-3}, {2e-5, 2e-4}};
-    /// Of plain penalty, times the stiffness in E/a; the augmentation leaves less than a
-    /// thousandth.
-    constexpr double penalty_error[4]   = {1., .2, 1., .2};
-    constexpr double far_field_error[4] = {1e-4,
-                                           2e-5,
-                                           1e-4,
-                                           2e-5}; ///< at 200 contact radii, falls as 1/L²
-  }                                               // namespace
+    // Of a, b, m, n. Calibrated on the 38 materials that runs/error_study names for it, such that
+    // the sum of the numerical parts covers 36 of them with a margin, and split by their
+    // shares. The base is what resolution 40 leaves of Hertz's contact. How well this covers 12
+    // other materials: runs/error_study --report.
+    constexpr Growth mesh_error[]      = {{6e-5, .0075, .75},
+                                          {4e-5, .00085, .5},
+                                          {1e-4, .01, 1},
+                                          {4e-5, .0006, .5}};
+    constexpr Growth step_floor[]      = {{7e-5, .0062, .75},
+                                          {3e-5, .00045, .5},
+                                          {9e-5, .0141, 1},
+                                          {5e-5, .001, .5}};
+    constexpr Growth far_field_error[] = {{1e-5, .0015, .75},
+                                          {1e-5, .00013, .5},
+                                          {1e-5, .0021, 1},
+                                          {1e-5, .0001, .5}};
+    /// To be multiplied by a/R.
+    constexpr Growth finite_radius_error[] = {{.04, 3.2, .5},
+                                              {.06, .8, .5},
+                                              {.23, 2.6, .5},
+                                              {.1, .6, .75}};
+    /// The step's part is this multiple of what the coefficient moves by, plus the floor.
+    constexpr double step_multiple[] = {1, .5, .5, .3};
+    /// Of plain penalty, times the stiffness in E/a. The augmentation leaves a millionth of the
+    /// approach open.
+    constexpr double penalty_error[]    = {1, .2, 1, .2};
+    constexpr double augmentation_error = 1e-6;
+  } // namespace
 
   std::array<double, 4> coefficients(const CurveFit &fit)
   {
@@ -86,10 +102,12 @@ namespace dpcontact
           }
         if (known)
           parts.mesh = value * mesh_error[c].at(excess) * coarser;
-        parts.step    = std::max(step_multiple[c] * moved[c], value * step_floor[c].at(excess));
-        parts.contact = value * penalty_error[c] / used.penalty_stiffness *
-                        (used.contact == ContactMethod::augmented ? 1e-3 : 1.);
-        parts.far_field = value * far_field_error[c] * std::pow(200 / used.domain_radius, 2);
+        parts.step    = step_multiple[c] * moved[c] + value * step_floor[c].at(excess);
+        parts.contact = value * (used.contact == ContactMethod::augmented
+                                   ? augmentation_error
+                                   : penalty_error[c] / used.penalty_stiffness);
+        parts.far_field =
+          value * far_field_error[c].at(excess) * std::pow(200 / used.domain_radius, 2);
       }
     return errors;
   }

@@ -174,27 +174,27 @@ namespace dpcontact
     const bool     definite = elastic.factorize(K_EE);
     Assert(definite, dealii::ExcInternalError());
     (void)definite;
-    recovery.resize(n_exterior * n);
-    std::vector<double> column(n_exterior), solved;
-    for (std::size_t j = 0; j < n; ++j)
-      {
-        std::copy_n(
-          K_EI.begin() + static_cast<std::ptrdiff_t>(j * n_exterior), n_exterior, column.begin());
-        elastic.solve(column, solved);
-        for (std::size_t e = 0; e < n_exterior; ++e)
-          recovery[j * n_exterior + e] = -solved[e];
-      }
+    elastic.solve(K_EI, recovery);
+    for (double &value : recovery)
+      value = -value;
+    std::vector<std::size_t> coupled; // the few rows of a column of K_EI that are not zero
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i; j < n; ++j)
-        {
-          double product = 0;
-          for (std::size_t e = 0; e < n_exterior; ++e)
-            product += K_EI[i * n_exterior + e] * recovery[j * n_exterior + e];
-          stiffness[i * n + j] += product;
-          stiffness[j * n + i] = stiffness[i * n + j];
-          matrix.value[matrix.position(core_index[shared[i]], core_index[shared[j]])] +=
-            stiffness[i * n + j];
-        }
+      {
+        coupled.clear();
+        for (std::size_t e = 0; e < n_exterior; ++e)
+          if (K_EI[i * n_exterior + e] != 0)
+            coupled.push_back(e);
+        for (std::size_t j = i; j < n; ++j)
+          {
+            double product = 0;
+            for (const std::size_t e : coupled)
+              product += K_EI[i * n_exterior + e] * recovery[j * n_exterior + e];
+            stiffness[i * n + j] += product;
+            stiffness[j * n + i] = stiffness[i * n + j];
+            matrix.value[matrix.position(core_index[shared[i]], core_index[shared[j]])] +=
+              stiffness[i * n + j];
+          }
+      }
   }
 
   template <int dim>

@@ -17,15 +17,15 @@ namespace dpcontact
 
   struct CholeskySolver::Workspace
   {
-    cholmod_common          common{};
-    cholmod_factor         *factor = nullptr;
-    mutable cholmod_dense  *x = nullptr, *y = nullptr, *e = nullptr;
+    cholmod_common         common{};
+    cholmod_factor        *factor = nullptr;
+    mutable cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
 
     Workspace()
     {
       cholmod_start(&common);
-      common.print            = 0;
-      common.final_ll         = 1; // LDLᵀ would take negative pivots without a word
+      common.print                      = 0;
+      common.final_ll                   = 1; // LDLᵀ would take negative pivots without a word
       common.quick_return_if_not_posdef = 1;
     }
     ~Workspace()
@@ -84,13 +84,13 @@ namespace dpcontact
   {
     Workspace    &w = *workspace;
     cholmod_dense rhs{};
-    rhs.nrow = rhs.nzmax = rhs.d = b.size();
-    rhs.ncol                     = 1;
-    rhs.x                        = const_cast<double *>(b.data());
-    rhs.xtype                    = CHOLMOD_REAL;
-    rhs.dtype                    = CHOLMOD_DOUBLE;
-    if (!cholmod_solve2(
-          CHOLMOD_A, w.factor, &rhs, nullptr, &w.x, nullptr, &w.y, &w.e, &w.common))
+    rhs.nrow = rhs.d = w.factor->n;
+    rhs.ncol         = b.size() / w.factor->n;
+    rhs.nzmax        = b.size();
+    rhs.x            = const_cast<double *>(b.data());
+    rhs.xtype        = CHOLMOD_REAL;
+    rhs.dtype        = CHOLMOD_DOUBLE;
+    if (!cholmod_solve2(CHOLMOD_A, w.factor, &rhs, nullptr, &w.x, nullptr, &w.y, &w.e, &w.common))
       throw SolverError("CHOLMOD could not solve (status " + std::to_string(w.common.status) + ")");
     const double *result = static_cast<const double *>(w.x->x);
     x.assign(result, result + b.size());

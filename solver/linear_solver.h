@@ -33,7 +33,7 @@ namespace dpcontact
     /// @return false where the matrix is not positive definite; nothing can be solved then.
     bool factorize(const SymmetricMatrix &matrix);
 
-    /// x = A⁻¹ b with the last factorisation.
+    /// x = A⁻¹ b with the last factorisation; b holds one or several right-hand sides by columns.
     void solve(const std::vector<double> &b, std::vector<double> &x) const;
 
   private:

@@ -187,9 +187,10 @@ namespace dpcontact
             {
               solution.step_error = difference; // not yet a curve: halve the steps once more
             }
-        const bool enough = options.loading_steps > 0
-                              ? steps == options.loading_steps
-                              : solution.step_error <= options.step_tolerance;
+        const bool enough =
+          options.loading_steps > 0
+            ? steps == options.loading_steps
+            : solution.step_error <= options.step_tolerance && !(coarse_was_cut || fine_was_cut);
         if (enough && (finer || !options.extrapolation))
           {
             solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
