@@ -34,12 +34,11 @@ namespace dpcontact
     }
   } // namespace
 
-  bool RowComparison::Difference::agrees() const { return std::abs(value - other) <= stated; }
-
-  bool RowComparison::agrees() const
+  bool RowComparison::agrees(double Difference::*const stated) const
   {
-    return std::all_of(
-      std::begin(difference), std::end(difference), [](const Difference &d) { return d.agrees(); });
+    return std::all_of(std::begin(difference), std::end(difference), [stated](const Difference &d) {
+      return std::abs(d.value - d.other) <= d.*stated;
+    });
   }
 
   std::vector<RowComparison> compare(const Database &one, const Database &other)
@@ -60,11 +59,14 @@ namespace dpcontact
         for (std::size_t c = 0; c < 4; ++c)
           {
             // Where both are closed forms rounding is all that may differ.
-            const double value = row.*values[c];
-            pair.difference[c] = {value,
-                                  partner->second->*values[c],
-                                  numerical_error(row, c) + numerical_error(*partner->second, c) +
-                                    1e-12 * std::abs(value)};
+            const double value    = row.*values[c];
+            const double rounding = 1e-12 * std::abs(value);
+            const auto   total    = error_columns()[c][6];
+            pair.difference[c]    = {value,
+                                     partner->second->*values[c],
+                                     numerical_error(row, c) + numerical_error(*partner->second, c) +
+                                       rounding,
+                                     row.*total + partner->second->*total + rounding};
           }
         result.push_back(pair);
       }
@@ -77,14 +79,14 @@ namespace dpcontact
     text << std::setprecision(10)
          << "# Coefficients of one database beside those of another (_other), their difference "
             "(other\n"
-            "# over one, minus 1), and the sum of the errors that both state (mesh, load step, "
-            "contact,\n"
-            "# far field) over the coefficient.\n"
+            "# over one, minus 1), and the sums of the errors that both state, over the "
+            "coefficient: the\n"
+            "# numerical parts (mesh, load step, contact, far field), and the total.\n"
             "E_Pa,nu,phi_deg,sigma_c_Pa,radius_m,force_max_N,load_level";
     for (const char *name : names)
       text << ',' << name << ',' << name << "_other," << name << "_relative_difference," << name
-           << "_relative_stated_error";
-    text << ",agrees\n";
+           << "_relative_numerical_error," << name << "_relative_total_error";
+    text << ",agrees_numerical,agrees\n";
     for (const RowComparison &pair : rows)
       {
         const Record &row = *pair.row;
@@ -92,8 +94,12 @@ namespace dpcontact
              << row.radius_m << ',' << row.force_max_N << ',' << row.load_level;
         for (const auto &d : pair.difference)
           text << ',' << d.value << ',' << d.other << ',' << d.other / d.value - 1 << ','
-               << d.stated / std::abs(d.value);
-        text << ',' << (pair.agrees() ? "yes" : "no") << '\n';
+               << d.numerical / std::abs(d.value) << ',' << d.total / std::abs(d.value);
+        const auto word = [&](double RowComparison::Difference::*stated) {
+          return pair.agrees(stated) ? "yes" : "no";
+        };
+        text << ',' << word(&RowComparison::Difference::numerical) << ','
+             << word(&RowComparison::Difference::total) << '\n';
       }
     write_file(file, text.str());
   }

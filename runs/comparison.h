@@ -17,13 +17,13 @@ namespace dpcontact
     struct Difference
     {
       double value, other; ///< of the two rows
-      double stated; ///< sum of the errors that both rows state: mesh, step, contact, far field
-      /// Finite radius and fit are left out: both rows have them alike.
-      bool agrees() const;
+      double numerical;    ///< sum of what both rows state for mesh, step, contact and far field
+      double total;        ///< sum of their totals, which hold finite radius and fit besides
     };
     Difference difference[4];
 
-    bool agrees() const;
+    /// Whether all four lie within that sum.
+    bool agrees(double Difference::*stated) const;
   };
 
   /// Pairs the converged rows of two databases by their inputs, in the order of the first.
@@ -31,7 +31,7 @@ namespace dpcontact
   std::vector<RowComparison> compare(const Database &one, const Database &other);
 
   /// One line a row: inputs, load level, and of each coefficient both values, the relative
-  /// difference and the stated one. Lines that begin with `#` explain the columns.
+  /// difference and both stated ones. Lines that begin with `#` explain the columns.
   /// @throws FileError where the file cannot be written.
   void write_csv(const std::filesystem::path &file, const std::vector<RowComparison> &rows);
 } // namespace dpcontact

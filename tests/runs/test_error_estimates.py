@@ -48,7 +48,8 @@ class Estimates(unittest.TestCase):
                 self.assertGreaterEqual(covered, 11)
                 self.assertLess(median, 4)
             with self.subTest(f"numerical error of {name}"):
-                self.assertGreaterEqual(self.found["numerical", name][0], 11)
+                # What README states. Not the claim: finite radius and fit are left out here.
+                self.assertGreaterEqual(self.found["numerical", name][0], 10)
 
 
 if __name__ == "__main__":
