@@ -1,5 +1,7 @@
 #include "fitting/uncertainty.h"
 
+#include "solver/step_extrapolation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,7 +104,10 @@ namespace dpcontact
           }
         if (known)
           parts.mesh = value * mesh_error[c].at(excess) * coarser;
-        parts.step    = step_multiple[c] * moved[c] + value * step_floor[c].at(excess);
+        // A curve that is not extrapolated keeps the whole error of its order.
+        const double multiple =
+          used.extrapolation ? step_multiple[c] : 1 / (std::pow(2., step_order) - 1);
+        parts.step    = multiple * moved[c] + value * step_floor[c].at(excess);
         parts.contact = value * (used.contact == ContactMethod::augmented
                                    ? augmentation_error
                                    : penalty_error[c] / used.penalty_stiffness);
