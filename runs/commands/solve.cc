@@ -69,6 +69,9 @@ namespace dpcontact::commands
 
     void print_for_people(const Case &input, const Solution &solution, const Record &row)
     {
+      const auto number = [](const double value) {
+        return format_quantity(value, Dimension::number);
+      };
       const auto length = [](const double value) {
         return format_quantity(value, Dimension::length);
       };
@@ -87,6 +90,10 @@ namespace dpcontact::commands
                 << row.newton_iterations << " Newton iterations, "
                 << format_quantity(row.wall_seconds, Dimension::number) << " s, "
                 << row.peak_memory_bytes / 1000000 << " MB\n"
+                << "error     a " << number(row.a_error_total) << ", b "
+                << number(row.b_error_total) << ", m " << number(row.m_error_total) << ", n "
+                << number(row.n_error_total)
+                << " (mesh, load step, contact, far field, finite radius, fit; --json by source)\n"
                 << "accuracy  load step " << format_quantity(solution.step_error, Dimension::number)
                 << " of the peak force\n"
                 << "status    " << row.status << (row.reason.empty() ? "" : ": ") << row.reason
