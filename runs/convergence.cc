@@ -113,8 +113,10 @@ namespace dpcontact
       result.studied[c] = {0, 0, 0, 0, 0, fits[c]};
     if (result.solution.cost.dofs == 0)
       {
-        log(
-          "the scene is elastic and solved in closed form: only its fit and its a/R can be wrong");
+        log("the scene is elastic and solved in closed form: nothing to vary; what a finite a/R "
+            "changes is not studied");
+        for (ErrorParts &parts : result.studied)
+          parts.finite_radius = ErrorParts::unset;
         return result;
       }
 

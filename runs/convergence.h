@@ -49,6 +49,7 @@ namespace dpcontact
   /// remote compliance taken out, against the half-space of the same domain, the change fitted by
   /// k₁ κ + k₂ κ²; coarser mesh). Contact and far field are varied with few steps, which they do
   /// not depend on.
+  /// Of a scene solved in closed form nothing is varied, and its finite radius stays NaN.
   /// @param log is told what is computed next.
   /// @throws SolverError, InputError as solve_contact(), with the source named.
   Convergence study_convergence(const Case                                     &input,
