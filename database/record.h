@@ -4,9 +4,11 @@
 #include "solver/curve.h"
 #include "solver/solve.h"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace dpcontact
@@ -22,6 +24,40 @@ namespace dpcontact
     double sigma_c_Pa  = unset;
     double radius_m    = unset;
     double force_max_N = unset;
+
+    std::string criterion         = "drucker-prager";
+    double      flow_stress_ratio = 1;
+    double      dilation_deg      = unset;
+    double      hardening_Pa      = 0;
+    double      tension_cutoff_Pa = unset; ///< NaN: none
+
+    /// What two rows of the same material and scene have in common; ordered, and NaN nowhere.
+    using Key = std::tuple<std::string,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double,
+                           double>;
+    Key key() const
+    {
+      return {criterion,
+              E_Pa,
+              nu,
+              phi_deg,
+              sigma_c_Pa,
+              flow_stress_ratio,
+              dilation_deg,
+              hardening_Pa,
+              std::isnan(tension_cutoff_Pa) ? std::numeric_limits<double>::infinity()
+                                            : tension_cutoff_Pa,
+              radius_m,
+              force_max_N};
+    }
   };
 
   /// One row of the database: everything known about one material. Units, meaning and order of the

@@ -90,12 +90,7 @@ namespace dpcontact
 
     json inputs_of(const RowInputs &inputs)
     {
-      return json::array({inputs.E_Pa,
-                          inputs.nu,
-                          inputs.phi_deg,
-                          inputs.sigma_c_Pa,
-                          inputs.radius_m,
-                          inputs.force_max_N});
+      return inputs.key();
     }
 
     /// Sets a damaged file aside under a name that is free.

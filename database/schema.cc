@@ -286,6 +286,17 @@ namespace dpcontact::schema
        "estimated error of n: of the fit: standard error and change with the window",
        &R::n_error_fit},
       {"n_error_total", "1", "estimated error of n: sum of these", &R::n_error_total},
+      {"criterion", "", "yield criterion: drucker-prager, von-mises or mohr-coulomb", &R::criterion},
+      {"flow_stress_ratio", "1", "K of Drucker-Prager; 1 is the circular cone", &R::flow_stress_ratio},
+      {"dilation_deg", "deg", "dilation angle; phi_deg where flow is associated", &R::dilation_deg},
+      {"hardening_Pa",
+       "Pa",
+       "growth of the uniaxial strength with equivalent plastic strain",
+       &R::hardening_Pa},
+      {"tension_cutoff_Pa",
+       "Pa",
+       "largest tensile stress of Mohr-Coulomb; unset: no cut-off",
+       &R::tension_cutoff_Pa},
     };
     return list;
   }
@@ -302,6 +313,7 @@ namespace dpcontact::schema
       {"dissipated_energy", "J", "plastic work in both spheres so far", &P::dissipated_energy},
       {"plastic_strain_max", "1", "largest accumulated plastic strain", &P::plastic_strain_max},
       {"newton_iterations", "1", "Newton iterations spent on this point", &P::newton_iterations},
+      {"mises_stress_max", "Pa", "largest von Mises stress in a sphere", &P::mises_stress_max},
     };
     return list;
   }

@@ -9,7 +9,7 @@
 namespace dpcontact::schema
 {
   /// Raised whenever a column changes its name, unit or meaning, or the layout of a file changes.
-  constexpr int version = 2;
+  constexpr int version = 3;
 
   /// A column of the table. Numbers without dimension have the unit "1", text has the unit "".
   struct Column

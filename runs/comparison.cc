@@ -10,19 +10,11 @@
 #include <iomanip>
 #include <map>
 #include <sstream>
-#include <tuple>
 
 namespace dpcontact
 {
   namespace
   {
-    using Key = std::tuple<double, double, double, double, double, double>;
-
-    Key key_of(const RowInputs &row)
-    {
-      return {row.E_Pa, row.nu, row.phi_deg, row.sigma_c_Pa, row.radius_m, row.force_max_N};
-    }
-
     constexpr double Record::*values[] = {&Record::a, &Record::b, &Record::m, &Record::n};
     constexpr const char     *names[]  = {"a", "b", "m", "n"};
 
@@ -43,13 +35,13 @@ namespace dpcontact
 
   std::vector<RowComparison> compare(const Database &one, const Database &other)
   {
-    std::map<Key, const Record *> partners;
+    std::map<RowInputs::Key, const Record *> partners;
     for (const Record &row : other.records)
-      partners.emplace(key_of(row), &row);
+      partners.emplace(row.key(), &row);
     std::vector<RowComparison> result;
     for (const Record &row : one.records)
       {
-        const auto partner = partners.find(key_of(row));
+        const auto partner = partners.find(row.key());
         if (partner == partners.end() || row.status != "converged" ||
             partner->second->status != "converged")
           throw InputError("compare: the row of " + label(case_of(row)) +

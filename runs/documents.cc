@@ -1,6 +1,7 @@
 #include "runs/documents.h"
 
 #include "runs/row.h"
+#include "solver/laws/mohr_coulomb.h"
 
 #include <iostream>
 
@@ -8,15 +9,44 @@ namespace dpcontact
 {
   Json material_json(const Case &input)
   {
-    return {{"E", input.material.youngs_modulus},
-            {"nu", input.material.poisson_ratio},
-            {"phi_deg", input.friction_angle_degrees},
-            {"sigma_c", input.material.compressive_strength}};
+    const Material &material = input.material;
+    Json            json     = {{"criterion", to_string(material.criterion)},
+                                {"E", material.youngs_modulus},
+                                {"nu", material.poisson_ratio},
+                                {"phi_deg", input.friction_angle_degrees},
+                                {"sigma_c", material.compressive_strength}};
+    if (material.criterion == Criterion::drucker_prager)
+      json["flow_stress_ratio"] = material.flow_stress_ratio;
+    if (material.criterion != Criterion::von_mises)
+      json["dilation_deg"] = input.dilation_angle_degrees;
+    if (material.criterion != Criterion::mohr_coulomb)
+      json["hardening"] = material.hardening;
+    else
+      {
+        json["cohesion"] =
+          laws::mohr_coulomb_cohesion(material.friction_angle, material.compressive_strength);
+        json["tension_cutoff"] = material.tension_cutoff ? Json(*material.tension_cutoff) : Json();
+      }
+    return json;
   }
 
   Json scene_json(const Case &input)
   {
     return {{"radius", input.scene.radius}, {"force_max", input.scene.force_max}};
+  }
+
+  Json checks_json(const PathChecks &checks)
+  {
+    return {{"residual", checks.residual},
+            {"yield_excess", checks.yield_excess},
+            {"penetration", checks.penetration},
+            {"work", checks.work},
+            {"largest_work", checks.largest_work},
+            {"elastic_energy", checks.elastic_energy},
+            {"dissipation", checks.dissipation},
+            {"mean_dissipation", checks.mean_dissipation},
+            {"energy_error", checks.energy_error},
+            {"energy_gap", checks.energy_gap()}};
   }
 
   Json yield_json(const FirstYield &yield)
@@ -136,13 +166,32 @@ namespace dpcontact
 
   std::string label(const Case &input)
   {
-    return "E = " + format_quantity(input.material.youngs_modulus, Dimension::pressure) +
-           ", nu = " + format_quantity(input.material.poisson_ratio, Dimension::number) +
-           ", phi = " + format_quantity(input.friction_angle_degrees, Dimension::angle) +
-           ", sigma_c = " +
-           format_quantity(input.material.compressive_strength, Dimension::pressure) +
-           ", R = " + format_quantity(input.scene.radius, Dimension::length) +
-           ", F_max = " + format_quantity(input.scene.force_max, Dimension::force);
+    const Material &material = input.material;
+    const bool      metal    = material.criterion == Criterion::von_mises;
+    std::string     text;
+    const auto      add = [&](const char *name, const double value, const Dimension dimension) {
+      text +=
+        (text.empty() ? "" : ", ") + std::string(name) + " = " + format_quantity(value, dimension);
+    };
+    add("E", material.youngs_modulus, Dimension::pressure);
+    add("nu", material.poisson_ratio, Dimension::number);
+    if (!metal)
+      add("phi", input.friction_angle_degrees, Dimension::angle);
+    add(metal ? "yield stress" : "sigma_c", material.compressive_strength, Dimension::pressure);
+    if (material.flow_stress_ratio != 1)
+      add("K", material.flow_stress_ratio, Dimension::number);
+    if (material.dilation_angle)
+      add("psi", input.dilation_angle_degrees, Dimension::angle);
+    if (material.hardening != 0)
+      add("H", material.hardening, Dimension::pressure);
+    if (material.tension_cutoff)
+      add("T0", *material.tension_cutoff, Dimension::pressure);
+    add("R", input.scene.radius, Dimension::length);
+    add("F_max", input.scene.force_max, Dimension::force);
+    return (material.criterion == Criterion::drucker_prager
+              ? ""
+              : std::string(to_string(material.criterion)) + ", ") +
+           text;
   }
 
   std::string describe(const FirstYield &yield)

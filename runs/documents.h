@@ -15,7 +15,8 @@ namespace dpcontact
   // Parts of the documents that --json prints. SI units, angles in degrees, approaches mutual;
   // numbers that are not finite become null.
 
-  Json material_json(const Case &input);        ///< E, nu, phi_deg, sigma_c
+  Json checks_json(const PathChecks &checks);
+  Json material_json(const Case &input);        ///< criterion, E, nu, phi_deg, sigma_c …
   Json scene_json(const Case &input);           ///< radius, force_max
   Json yield_json(const FirstYield &yield);     ///< force, approach, pressure, …
   Json options_json(const SolverOptions &used); ///< by the names of the options

@@ -184,6 +184,13 @@ namespace dpcontact
     inputs.sigma_c_Pa  = input.material.compressive_strength;
     inputs.radius_m    = input.scene.radius;
     inputs.force_max_N = input.scene.force_max;
+
+    inputs.criterion         = to_string(input.material.criterion);
+    inputs.flow_stress_ratio = input.material.flow_stress_ratio;
+    inputs.dilation_deg      = input.dilation_angle_degrees;
+    inputs.hardening_Pa      = input.material.hardening;
+    if (input.material.tension_cutoff)
+      inputs.tension_cutoff_Pa = *input.material.tension_cutoff;
     return inputs;
   }
 
@@ -197,6 +204,14 @@ namespace dpcontact
     result.scene.radius                  = inputs.radius_m;
     result.scene.force_max               = inputs.force_max_N;
     result.friction_angle_degrees        = inputs.phi_deg;
+    result.dilation_angle_degrees        = inputs.dilation_deg;
+    result.material.criterion            = parse_criterion(inputs.criterion);
+    result.material.flow_stress_ratio    = inputs.flow_stress_ratio;
+    result.material.hardening            = inputs.hardening_Pa;
+    if (inputs.dilation_deg != inputs.phi_deg)
+      result.material.dilation_angle = radians(inputs.dilation_deg);
+    if (!std::isnan(inputs.tension_cutoff_Pa))
+      result.material.tension_cutoff = inputs.tension_cutoff_Pa;
     return result;
   }
 

@@ -1,8 +1,12 @@
 #include "runs/settings.h"
 
 #include "meshing/errors.h"
+#include "solver/laws/mohr_coulomb.h"
+#include "solver/laws/von_mises.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -102,10 +106,35 @@ namespace dpcontact
       return Setting{name, Kind::quantity, help, dimension, {}, true};
     };
     return {
+      Setting{"criterion",
+              Kind::choice,
+              "yield criterion: drucker-prager, von-mises or mohr-coulomb [drucker-prager]",
+              Dimension::number,
+              {"drucker-prager", "von-mises", "mohr-coulomb"}},
       quantity("E", Dimension::pressure, "Young's modulus (10GPa)"),
       quantity("nu", Dimension::number, "Poisson's ratio, at least 0 and below 0.5"),
       quantity("phi", Dimension::angle, "friction angle in degrees, at least 0 and below 90"),
       quantity("sigma-c", Dimension::pressure, "uniaxial compressive strength (15MPa)"),
+      quantity("cohesion",
+               Dimension::pressure,
+               "mohr-coulomb: cohesion C, instead of sigma-c = 2 C cos(phi)/(1 - sin(phi))"),
+      quantity(
+        "yield-stress",
+        Dimension::pressure,
+        "von-mises: uniaxial yield stress, instead of 3 (1 - sin(phi))/(3 - sin(phi)) sigma-c"),
+      quantity("flow-stress-ratio",
+               Dimension::number,
+               "drucker-prager: K, from 0.778 to 1 (the circular cone) [1]"),
+      quantity(
+        "dilation",
+        Dimension::angle,
+        "drucker-prager, mohr-coulomb: dilation angle in degrees, 0 to phi [phi: associated]"),
+      quantity(
+        "hardening",
+        Dimension::pressure,
+        "drucker-prager, von-mises: growth of the uniaxial strength with plastic strain [0Pa]"),
+      quantity(
+        "tension-cutoff", Dimension::pressure, "mohr-coulomb: largest tensile stress [none]"),
       quantity("radius",
                Dimension::length,
                "radius of each sphere [" + format_quantity(scene.radius, Dimension::length) + "]"),
@@ -183,42 +212,116 @@ namespace dpcontact
               {"parabola", "sphere"}}};
   }
 
+  namespace
+  {
+    /// The criterion, refusing what it does not have.
+    Criterion read_criterion(const SettingTexts &texts)
+    {
+      const auto      text      = find(texts, "criterion");
+      const Criterion criterion = text ? parse_criterion(*text) : Criterion::drucker_prager;
+      const auto      refuse =
+        [&](const char *name, const char *owners, const bool has, const char *why) {
+          if (find(texts, name) && !has)
+            throw InputError(std::string(name) + " is a parameter of " + owners + ", not of " +
+                             to_string(criterion) + why + ": leave it out");
+        };
+      const bool cone    = criterion == Criterion::drucker_prager;
+      const bool metal   = criterion == Criterion::von_mises;
+      const bool pyramid = criterion == Criterion::mohr_coulomb;
+      refuse("cohesion", "mohr-coulomb", pyramid, "");
+      refuse("yield-stress", "von-mises", metal, "");
+      refuse("flow-stress-ratio", "drucker-prager", cone, "");
+      refuse("dilation", "drucker-prager and mohr-coulomb", !metal, "");
+      refuse("hardening", "drucker-prager and von-mises", !pyramid, "");
+      refuse("tension-cutoff", "mohr-coulomb", pyramid, "");
+      for (const char *const instead : {"cohesion", "yield-stress"})
+        if (find(texts, instead) && find(texts, "sigma-c"))
+          throw InputError(std::string(instead) + " and sigma-c say the same: give one of them");
+      if (find(texts, "yield-stress") && find(texts, "phi"))
+        throw InputError(
+          "phi is set, but von-mises with a yield-stress has no friction angle: leave "
+          "it out");
+      return criterion;
+    }
+
+    /// All combinations of one value of each list, the first list varying slowest.
+    std::vector<std::vector<double>> combinations(const std::vector<std::vector<double>> &lists)
+    {
+      std::vector<std::vector<double>> result{{}};
+      for (const auto &list : lists)
+        {
+          std::vector<std::vector<double>> longer;
+          for (const auto &start : result)
+            for (const double value : list)
+              {
+                longer.push_back(start);
+                longer.back().push_back(value);
+              }
+          result = std::move(longer);
+        }
+      return result;
+    }
+  } // namespace
+
   std::vector<Case> read_grid(const SettingTexts &texts)
   {
-    const auto moduli    = read_list(texts, "E", Dimension::pressure);
-    const auto ratios    = read_list(texts, "nu", Dimension::number);
-    const auto angles    = read_list(texts, "phi", Dimension::angle);
-    const auto strengths = read_list(texts, "sigma-c", Dimension::pressure);
-    const auto radii     = read_list(texts, "radius", Dimension::length, Scene{}.radius);
-    const auto forces    = read_list(texts, "force-max", Dimension::force, Scene{}.force_max);
+    constexpr double unset           = std::numeric_limits<double>::quiet_NaN();
+    const Criterion  criterion       = read_criterion(texts);
+    const bool       by_yield_stress = find(texts, "yield-stress").has_value();
+    const bool       by_cohesion     = find(texts, "cohesion").has_value();
+    const char *strength = by_yield_stress ? "yield-stress" : by_cohesion ? "cohesion" : "sigma-c";
+    const Material defaults;
 
     std::vector<Case> cases;
-    for (const double modulus : moduli)
-      for (const double ratio : ratios)
-        for (const double angle : angles)
-          for (const double strength : strengths)
-            for (const double radius : radii)
-              for (const double force : forces)
-                {
-                  Case next{};
-                  next.material.youngs_modulus       = modulus;
-                  next.material.poisson_ratio        = ratio;
-                  next.material.friction_angle       = radians(angle);
-                  next.material.compressive_strength = strength;
-                  next.scene.radius                  = radius;
-                  next.scene.force_max               = force;
-                  next.friction_angle_degrees        = angle;
-                  next.material.check();
-                  next.scene.check();
-                  cases.push_back(next);
-                }
+    for (const std::vector<double> &value : combinations(
+           {read_list(texts, "E", Dimension::pressure),
+            read_list(texts, "nu", Dimension::number),
+            by_yield_stress ? std::vector<double>{0.} : read_list(texts, "phi", Dimension::angle),
+            read_list(texts, strength, Dimension::pressure),
+            read_list(texts, "flow-stress-ratio", Dimension::number, defaults.flow_stress_ratio),
+            read_list(texts, "dilation", Dimension::angle, unset),
+            read_list(texts, "hardening", Dimension::pressure, defaults.hardening),
+            read_list(texts, "tension-cutoff", Dimension::pressure, unset),
+            read_list(texts, "radius", Dimension::length, Scene{}.radius),
+            read_list(texts, "force-max", Dimension::force, Scene{}.force_max)}))
+      {
+        Case next{};
+        next.friction_angle_degrees        = value[2];
+        next.dilation_angle_degrees        = std::isnan(value[5]) ? value[2] : value[5];
+        next.material.criterion            = criterion;
+        next.material.youngs_modulus       = value[0];
+        next.material.poisson_ratio        = value[1];
+        next.material.friction_angle       = radians(value[2]);
+        next.material.compressive_strength = value[3];
+        next.material.flow_stress_ratio    = value[4];
+        if (!std::isnan(value[5]) && value[5] != value[2])
+          next.material.dilation_angle = radians(value[5]);
+        next.material.hardening = value[6];
+        if (!std::isnan(value[7]))
+          next.material.tension_cutoff = value[7];
+        if (by_cohesion)
+          next.material.compressive_strength =
+            laws::mohr_coulomb_compressive_strength(next.material.friction_angle, value[3]);
+        if (criterion == Criterion::von_mises && !by_yield_stress)
+          {
+            next.material.compressive_strength =
+              laws::von_mises_yield_stress(next.material.friction_angle, value[3]);
+            next.material.friction_angle  = next.friction_angle_degrees =
+              next.dilation_angle_degrees = 0;
+          }
+        next.scene.radius    = value[8];
+        next.scene.force_max = value[9];
+        next.material.check();
+        next.scene.check();
+        cases.push_back(next);
+      }
     return cases;
   }
 
   Case read_case(const SettingTexts &texts)
   {
     for (const Setting &setting : scene_settings())
-      if (const auto text = find(texts, setting.name))
+      if (const auto text = find(texts, setting.name); text && setting.kind == Kind::quantity)
         parse_quantity(setting.name, *text, setting.dimension); // a list is no number
     return read_grid(texts).front();
   }

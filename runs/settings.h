@@ -32,7 +32,8 @@ namespace dpcontact
     void check(const std::string &text) const;
   };
 
-  /// Material and scene: E, nu, phi, sigma-c, radius, force-max (all lists in a sweep).
+  /// Material and scene: criterion, E, nu, phi, sigma-c or what the criterion has instead, and what
+  /// else it has; radius, force-max. All but the criterion are lists in a sweep.
   std::vector<Setting> scene_settings();
 
   /// The options of the solver; each is one value for a whole sweep.
@@ -47,13 +48,14 @@ namespace dpcontact
     Material material;
     Scene    scene;
     double   friction_angle_degrees; ///< as it was given, free of the rounding of radians
+    double   dilation_angle_degrees; ///< likewise; the friction angle where none was given
   };
 
   /// One material and scene.
   /// @throws InputError where one is missing, ill-typed, a list, or out of range.
   Case read_case(const SettingTexts &texts);
 
-  /// The grid of all combinations, E varying slowest, then nu, phi, sigma-c, radius, force-max.
+  /// The grid of all combinations, in the order of scene_settings(), the first varying slowest.
   /// @throws InputError as read_case(), and for a repeated value.
   std::vector<Case> read_grid(const SettingTexts &texts);
 

@@ -41,15 +41,7 @@ namespace dpcontact
         {
           nlohmann::json grid;
           for (const Case &input : sweep.cases)
-            {
-              const RowInputs inputs = row_inputs(input);
-              grid.push_back({inputs.E_Pa,
-                              inputs.nu,
-                              inputs.phi_deg,
-                              inputs.sigma_c_Pa,
-                              inputs.radius_m,
-                              inputs.force_max_N});
-            }
+            grid.push_back(row_inputs(input).key());
           settings["grid_sha256"] = sha256(grid.dump());
         }
       return settings;
@@ -70,10 +62,15 @@ namespace dpcontact
             jobs.push_back({{i}, {i}});
           return jobs;
         }
-      std::map<std::pair<double, double>, Job> families; // the largest φ last: it is the cheapest
-      const auto                               family = [&](const std::size_t i) -> Job                               &{
-        return families[{sweep.cases[i].friction_angle_degrees,
-                         sweep.cases[i].material.poisson_ratio}];
+      // The largest φ last: it is the cheapest.
+      std::map<std::tuple<double, double, double, double>, Job> families;
+
+      const auto family = [&](const std::size_t i) -> Job & {
+        const Case &input = sweep.cases[i];
+        return families[{input.friction_angle_degrees,
+                         input.material.poisson_ratio,
+                         input.material.flow_stress_ratio,
+                         input.dilation_angle_degrees}];
       };
       for (std::size_t i = 0; i < sweep.cases.size(); ++i)
         family(i).members.push_back(i);

@@ -35,6 +35,37 @@ namespace dpcontact
   }
 
   template <int dim>
+  typename Contact<dim>::Surface Contact<dim>::state(const std::vector<double> &u,
+                                                     const double               approach) const
+  {
+    Surface      surface;
+    unsigned int index = 0;
+    for (const auto &face : discretization.surface())
+      for (const auto &point : face.points)
+        {
+          const double p = multipliers[index++] - stiffness * gap_at(face, point, u, approach);
+          surface.pressure.push_back(enabled && point.weight > 0 ? std::max(0., p) : 0.);
+          surface.inward.push_back(inward(face, point, u));
+        }
+    return surface;
+  }
+
+  template <int dim>
+  double Contact<dim>::work(const Surface &from, const Surface &to) const
+  {
+    double       sum   = 0;
+    unsigned int index = 0;
+    for (const auto &face : discretization.surface())
+      for (const auto &point : face.points)
+        {
+          sum += point.weight * (from.pressure[index] + to.pressure[index]) / 2 *
+                 (to.inward[index] - from.inward[index]);
+          ++index;
+        }
+    return sum;
+  }
+
+  template <int dim>
   bool Contact<dim>::touches_beyond(const std::vector<double> &u, const double approach) const
   {
     if (!enabled)

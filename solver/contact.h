@@ -54,6 +54,16 @@ namespace dpcontact
     /// Whether a face that evaluate() does not look at touches.
     bool touches_beyond(const std::vector<double> &u, double approach) const;
 
+    /// Pressure and inward displacement of every point of the surface.
+    struct Surface
+    {
+      std::vector<double> pressure, inward;
+    };
+    Surface state(const std::vector<double> &u, double approach) const;
+
+    /// Work of the contact on the body from one state to another by the trapezoidal rule.
+    double work(const Surface &from, const Surface &to) const;
+
     /// Mean pressure on every face of the surface, from the axis outwards: (mean radius, p).
     std::vector<std::pair<double, double>> profile(const std::vector<double> &u,
                                                    double                     approach) const;

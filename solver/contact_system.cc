@@ -6,7 +6,7 @@
 
 namespace dpcontact
 {
-  using laws::DruckerPrager;
+  using laws::Branch;
 
   namespace
   {
@@ -17,13 +17,14 @@ namespace dpcontact
 
   template <int dim>
   ContactSystem<dim>::ContactSystem(const Discretization<dim> &discretization,
-                                    const DruckerPrager       &law_,
+                                    const laws::Law           &law_,
                                     const Profile             &profile,
                                     const double               penalty_stiffness,
                                     const bool                 condensed)
     : u(discretization.n_free(), 0.)
     , space(discretization)
     , law(law_)
+    , symmetric(laws::associated(law_))
     , contact_condition(discretization, profile, penalty_stiffness)
     , rhs(discretization.n_free())
     , approach_derivative(discretization.n_free())
@@ -42,8 +43,10 @@ namespace dpcontact
     history.resize(n_points);
     trial.resize(n_points);
     accumulated.resize(n_points, 0.);
-    branch.resize(n_points, DruckerPrager::Branch::elastic);
+    branch.resize(n_points, Branch::elastic);
     stress.resize(n_points);
+    committed_stress.resize(n_points);
+    committed_surface = contact_condition.state(u, approach);
     tangents.resize(n_points);
     build_elastic_stiffness();
 
@@ -67,7 +70,8 @@ namespace dpcontact
   {
     stage = stage_;
     if (!cores[stage])
-      cores[stage] = std::make_unique<Core<dim>>(space, elastic_blocks, core_radii[stage]);
+      cores[stage] =
+        std::make_unique<Core<dim>>(space, elastic_blocks, core_radii[stage], symmetric);
     core = cores[stage].get();
     contact_condition.limit_to(core->n_faces);
   }
@@ -90,7 +94,7 @@ namespace dpcontact
       {
         evaluate_points(c);
         for (std::size_t q = 0; q < space.cells()[c].points.size(); ++q)
-          if (branch[first_point[c] + q] != DruckerPrager::Branch::elastic)
+          if (branch[first_point[c] + q] != Branch::elastic)
             return false;
       }
     return true;
@@ -102,7 +106,7 @@ namespace dpcontact
     double result = contact_condition.edge_radius(u, approach);
     for (const unsigned int c : core->cells)
       for (std::size_t q = 0; q < space.cells()[c].points.size(); ++q)
-        if (branch[first_point[c] + q] != DruckerPrager::Branch::elastic)
+        if (branch[first_point[c] + q] != Branch::elastic)
           result = std::max(result, space.cells()[c].points[q].position.norm());
     return result;
   }
@@ -133,29 +137,32 @@ namespace dpcontact
   template <class TangentOfPoint>
   void ContactSystem<dim>::cell_block(const typename Discretization<dim>::Cell &cell,
                                       const TangentOfPoint                     &tangent,
+                                      const bool                                upper_triangle,
                                       std::vector<double>                      &block) const
   {
     constexpr unsigned int n_strains = Kinematics<dim>::n_strains;
     const auto             n         = cell.unknowns.size();
-    block.assign(n * (n + 1) / 2, 0.);
+    block.assign(upper_triangle ? n * (n + 1) / 2 : n * n, 0.);
     std::vector<std::array<double, n_strains>> stress_of(n);
     for (unsigned int q = 0; q < cell.points.size(); ++q)
       {
         const auto          &point = cell.points[q];
-        const TangentMatrix &D     = tangent(q);
+        const TangentMatrix *D     = tangent(q);
+        if (D == nullptr)
+          continue;
         for (std::size_t i = 0; i < n; ++i)
           for (unsigned int s = 0; s < n_strains; ++s)
             {
               double product = 0;
               for (unsigned int t = 0; t < n_strains; ++t)
-                product += D[s][t] * point.strain[i][t];
+                product += (*D)[s][t] * point.strain[i][t];
               stress_of[i][s] = point.weight * product;
             }
         double *entry = block.data();
         for (std::size_t i = 0; i < n; ++i)
           {
             const auto b = point.strain[i];
-            for (std::size_t j = i; j < n; ++j, ++entry)
+            for (std::size_t j = upper_triangle ? i : 0; j < n; ++j, ++entry)
               {
                 double product = 0;
                 for (unsigned int s = 0; s < n_strains; ++s)
@@ -186,13 +193,11 @@ namespace dpcontact
   void ContactSystem<dim>::build_elastic_stiffness()
   {
     TangentMatrix elastic;
-    restrict_tangent<dim>(law.evaluate(State(), laws::StressTensor()).tangent, elastic);
+    restrict_tangent<dim>(laws::evaluate(law, State(), laws::StressTensor()).tangent, elastic);
     elastic_blocks.resize(space.cells().size());
     for (std::size_t c = 0; c < space.cells().size(); ++c)
       cell_block(
-        space.cells()[c],
-        [&elastic](unsigned int) -> const TangentMatrix & { return elastic; },
-        elastic_blocks[c]);
+        space.cells()[c], [&elastic](unsigned int) { return &elastic; }, true, elastic_blocks[c]);
     elastic_tangent = elastic;
   }
 
@@ -208,7 +213,7 @@ namespace dpcontact
         const auto        &cell       = space.cells()[c];
         const std::size_t  first      = first_point[c];
         const auto         is_plastic = [&](const std::size_t q) {
-          return branch[first + q] != DruckerPrager::Branch::elastic;
+          return branch[first + q] != Branch::elastic;
         };
         bool plastic = false;
         for (std::size_t q = 0; q < cell.points.size(); ++q)
@@ -217,12 +222,11 @@ namespace dpcontact
           continue;
         cell_block(
           cell,
-          [&](const unsigned int q) -> const TangentMatrix & {
-            return is_plastic(q) ? tangents[first + q] : elastic_tangent;
-          },
+          [&](const unsigned int q) { return is_plastic(q) ? &tangents[first + q] : nullptr; },
+          symmetric,
           block);
         for (std::size_t e = 0; e < block.size(); ++e)
-          values[core->cell_positions[k][e]] += block[e] - elastic_blocks[c][e];
+          values[core->cell_positions[k][e]] += block[e];
       }
     for (const auto &[face, contact_values] : contact_blocks)
       for (std::size_t e = 0; e < contact_values.size(); ++e)
@@ -244,12 +248,17 @@ namespace dpcontact
             for (unsigned int s = 0; s < n_strains; ++s)
               strain[s] += value * point.strain[i][s];
           }
-        const auto response = law.evaluate(history[index], strain_tensor<dim>(strain));
+        const auto response = laws::evaluate(law, history[index], strain_tensor<dim>(strain));
         trial[index]        = response.state;
         branch[index]       = response.branch;
         stress[index]       = response.stress;
-        if (response.branch != DruckerPrager::Branch::elastic)
-          restrict_tangent<dim>(response.tangent, tangents[index]);
+        if (response.branch != Branch::elastic)
+          {
+            restrict_tangent<dim>(response.tangent, tangents[index]);
+            for (unsigned int s = 0; s < n_strains; ++s)
+              for (unsigned int t = 0; t < n_strains; ++t)
+                tangents[index][s][t] -= elastic_tangent[s][t];
+          }
         ++index;
       }
   }
@@ -297,7 +306,7 @@ namespace dpcontact
                                       std::vector<double>(core->surface_positions[face].size()));
         double *entry = contact_blocks.back().second.data();
         for (std::size_t i = 0; i < value.size(); ++i)
-          for (std::size_t j = i; j < value.size(); ++j, ++entry)
+          for (std::size_t j = symmetric ? i : 0; j < value.size(); ++j, ++entry)
             *entry += k * value[i] * value[j];
       });
 
@@ -310,46 +319,43 @@ namespace dpcontact
   }
 
   template <int dim>
-  bool ContactSystem<dim>::factorize_tangent()
+  bool ContactSystem<dim>::correction()
   {
     // An iterate far from equilibrium may have points at the apex, or a mechanism of perfectly
-    // plastic ones, that resist nothing. Then a share of the elastic stiffness leads on; no
-    // converged state needs it.
+    // plastic ones, that resist nothing, or (flow that is not associated) less than nothing. Then a
+    // share of the elastic stiffness leads on; no converged state needs it.
     assemble_tangent();
     for (const double share : {0., 1e-4, 1e-2, 1.})
       {
         if (share > 0)
           for (std::size_t e = 0; e < core->matrix.value.size(); ++e)
             core->matrix.value[e] += share * core->elastic_values[e];
-        if (core->solver->factorize(core->matrix))
+        if (core->solver->factorize(core->matrix) && solve_for_step() && slope() < 0)
           return true;
       }
     return false;
   }
 
   template <int dim>
-  bool ContactSystem<dim>::correction()
+  bool ContactSystem<dim>::solve_for_step()
   {
-    if (!factorize_tangent())
-      return false;
     solve(rhs, -1, step);
     approach_step = 0;
-    if (control == Control::force)
+    if (control != Control::force)
+      return true;
+    // [K  r_d; r_dᵀ F_d] [Δu; Δd] = [−r; F* − F], by elimination of Δu.
+    solve(approach_derivative, 1, step_per_approach);
+    double along = 0, stiffness = contact_response.force_stiffness;
+    for (std::size_t i = 0; i < step.size(); ++i)
       {
-        // [K  r_d; r_dᵀ F_d] [Δu; Δd] = [−r; F* − F], by elimination of Δu.
-        solve(approach_derivative, 1, step_per_approach);
-        double along = 0, stiffness = contact_response.force_stiffness;
-        for (std::size_t i = 0; i < step.size(); ++i)
-          {
-            along += approach_derivative[i] * step[i];
-            stiffness -= approach_derivative[i] * step_per_approach[i];
-          }
-        if (!(stiffness > 0))
-          return false;
-        approach_step = (target - contact_response.force - along) / stiffness;
-        for (std::size_t i = 0; i < step.size(); ++i)
-          step[i] -= approach_step * step_per_approach[i];
+        along += approach_derivative[i] * step[i];
+        stiffness -= approach_derivative[i] * step_per_approach[i];
       }
+    if (!(stiffness > 0))
+      return false;
+    approach_step = (target - contact_response.force - along) / stiffness;
+    for (std::size_t i = 0; i < step.size(); ++i)
+      step[i] -= approach_step * step_per_approach[i];
     return true;
   }
 
@@ -394,6 +400,8 @@ namespace dpcontact
     contact_condition.multipliers = saved.multipliers;
     history                       = saved.history;
     accumulated                   = saved.accumulated;
+    committed_stress              = saved.stress;
+    committed_surface             = saved.surface;
   }
 
   template <int dim>
@@ -404,6 +412,9 @@ namespace dpcontact
     std::fill(contact_condition.multipliers.begin(), contact_condition.multipliers.end(), 0.);
     std::fill(history.begin(), history.end(), State());
     std::fill(accumulated.begin(), accumulated.end(), 0.);
+    std::fill(committed_stress.begin(), committed_stress.end(), laws::StressTensor());
+    contact_condition.set_active(true);
+    committed_surface = contact_condition.state(u, approach);
     use_core(0);
   }
 
@@ -412,29 +423,39 @@ namespace dpcontact
   {
     Integrals    result;
     std::size_t  index = 0;
-    const double shear = law.shear_modulus, bulk = law.bulk_modulus;
+    const double shear = laws::shear_modulus(law), bulk = laws::bulk_modulus(law);
     for (const auto &cell : space.cells())
       for (const auto &point : cell.points)
         {
           const auto &sigma = stress[index];
           const auto  flow  = trial[index].plastic_strain - history[index].plastic_strain;
           result.dissipation += point.weight * (sigma * flow);
+          result.mean_dissipation +=
+            point.weight * ((committed_stress[index] * flow + sigma * flow) / 2);
           const auto   deviator = dealii::deviator(sigma);
           const double mean     = dealii::trace(sigma) / 3;
           result.elastic_energy +=
             point.weight * ((deviator * deviator) / (4 * shear) + mean * mean / (2 * bulk));
+          result.mises_stress_max =
+            std::max(result.mises_stress_max, std::sqrt(1.5) * deviator.norm());
           accumulated[index] += std::sqrt(2. / 3) * flow.norm();
           if (accumulated[index] > 0)
             result.plastic_volume += point.weight;
           result.plastic_strain_max = std::max(result.plastic_strain_max, accumulated[index]);
-          if (branch[index] == DruckerPrager::Branch::apex)
+          if (branch[index] == Branch::apex || branch[index] == Branch::cutoff_apex)
             ++result.apex_points;
           result.largest_yield_excess =
             std::max(result.largest_yield_excess,
-                     law.yield_function(sigma, trial[index].hardening_variable) / law.strength);
+                     laws::yield_excess(law, sigma, trial[index].hardening_variable));
           ++index;
         }
-    history = trial;
+    const double far = u[space.far_unknown()];
+    result.elastic_energy += space.exterior_stiffness() * far * far / 2;
+    const auto surface = contact_condition.state(u, approach);
+    result.work        = contact_condition.work(committed_surface, surface);
+    committed_surface  = surface;
+    committed_stress   = stress;
+    history            = trial;
     return result;
   }
 

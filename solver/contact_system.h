@@ -4,7 +4,7 @@
 #include "solver/contact.h"
 #include "solver/core.h"
 #include "solver/discretization.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/law.h"
 #include "solver/linear_solver.h"
 
 #include <vector>
@@ -28,7 +28,7 @@ namespace dpcontact
       released  ///< no contact; d plays no role
     };
 
-    using State = laws::DruckerPrager::State;
+    using State = laws::State;
 
     /// What is rolled back when a step fails.
     struct Snapshot
@@ -38,6 +38,10 @@ namespace dpcontact
       std::vector<double> multipliers;
       std::vector<State>  history;
       std::vector<double> accumulated; ///< ∫ √(2/3) |dεᵖ| at every point
+
+      // of the last commit()
+      std::vector<laws::StressTensor> stress;
+      typename Contact<dim>::Surface  surface;
     };
 
     /// Integrals over the body at the state last evaluated, of one sphere.
@@ -45,16 +49,19 @@ namespace dpcontact
     {
       double       plastic_volume       = 0;
       double       dissipation          = 0; ///< ∫ σₙ₊₁:Δεᵖ dV of the step
-      double       elastic_energy       = 0;
+      double       mean_dissipation     = 0; ///< ∫ ½(σₙ + σₙ₊₁):Δεᵖ dV of the step
+      double       work                 = 0; ///< of the contact in the step, trapezoidal rule
+      double       elastic_energy       = 0; ///< of the body and of the half-space around it
+      double       mises_stress_max     = 0;
       double       plastic_strain_max   = 0;
       unsigned int apex_points          = 0;
-      double       largest_yield_excess = 0; ///< max f/k over the points
+      double       largest_yield_excess = 0; ///< max of laws::yield_excess() over the points
     };
 
     /// @param condensed solve for a core that grows with contact and plastic zone (core.h), the rest
     /// condensed; otherwise for the whole body.
     ContactSystem(const Discretization<dim> &discretization,
-                  const laws::DruckerPrager &law,
+                  const laws::Law           &law,
                   const Profile             &profile,
                   double                     penalty_stiffness,
                   bool                       condensed = false);
@@ -80,7 +87,7 @@ namespace dpcontact
 
     /// Residual at the iterate last evaluated, and the tangent there, unscaled.
     const std::vector<double> &residual_vector() const { return rhs; }
-    const SymmetricMatrix     &tangent()
+    const SparseMatrix        &tangent()
     {
       assemble_tangent();
       return core->matrix;
@@ -98,7 +105,13 @@ namespace dpcontact
 
     Snapshot snapshot() const
     {
-      return {u, approach, contact_condition.multipliers, history, accumulated};
+      return {u,
+              approach,
+              contact_condition.multipliers,
+              history,
+              accumulated,
+              committed_stress,
+              committed_surface};
     }
     void restore(const Snapshot &saved);
     /// Back to the virgin state.
@@ -112,23 +125,26 @@ namespace dpcontact
     /// Stresses at all quadrature points (cell by cell) at the state last evaluated.
     const std::vector<laws::StressTensor> &stresses() const { return stress; }
     const Discretization<dim>             &discretization() const { return space; }
-    const laws::DruckerPrager             &material() const { return law; }
+    const laws::Law                       &material() const { return law; }
 
   private:
     void build_elastic_stiffness();
     void assemble_tangent();
-    bool factorize_tangent();
+    bool solve_for_step();
     void use_core(std::size_t stage);
     /// The law at the points of a cell, from the iterate's strains.
     void evaluate_points(unsigned int cell);
-    /// Upper triangle, row by row, of ∫ Bᵀ D B of a cell; `tangent(q)` is D of its point q.
+    /// ∫ Bᵀ D B of a cell, row by row, of a symmetric one the upper triangle; `tangent(q)` points
+    /// to D of its point q, or to nothing where that is zero.
     template <class TangentOfPoint>
     void cell_block(const typename Discretization<dim>::Cell &cell,
                     const TangentOfPoint                     &tangent,
+                    bool                                      upper_triangle,
                     std::vector<double>                      &block) const;
 
     const Discretization<dim>      &space;
-    laws::DruckerPrager             law;
+    laws::Law                       law;
+    bool                            symmetric; ///< tangent
     Contact<dim>                    contact_condition;
     typename Contact<dim>::Response contact_response;
 
@@ -147,7 +163,8 @@ namespace dpcontact
     TangentMatrix                    elastic_tangent{};
     std::vector<std::vector<double>> elastic_blocks; ///< of every cell
     std::vector<unsigned int>        first_point;    ///< of every cell
-    std::vector<TangentMatrix>       tangents;       ///< of the points off the elastic branch
+    /// Of the points off the elastic branch: what the tangent is more than the elastic one.
+    std::vector<TangentMatrix> tangents;
     std::vector<std::pair<unsigned int, std::vector<double>>>
       contact_blocks; ///< (surface face, block)
 
@@ -158,10 +175,12 @@ namespace dpcontact
     std::vector<double> core_rhs, core_solution;
     double              approach_step = 0;
 
-    std::vector<State>                       history, trial;
-    std::vector<double>                      accumulated;
-    std::vector<laws::DruckerPrager::Branch> branch;
-    std::vector<laws::StressTensor>          stress;
+    std::vector<State>              history, trial;
+    std::vector<double>             accumulated;
+    std::vector<laws::Branch>       branch;
+    std::vector<laws::StressTensor> stress;
+    std::vector<laws::StressTensor> committed_stress;
+    typename Contact<dim>::Surface  committed_surface;
   };
 } // namespace dpcontact
 

@@ -10,28 +10,16 @@ namespace dpcontact
   {
     constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
-    /// A matrix of zeros with the given rows in each column.
-    SymmetricMatrix make_matrix(const std::vector<std::set<int>> &columns)
-    {
-      SymmetricMatrix matrix;
-      matrix.column_start.assign(1, 0);
-      for (const auto &column : columns)
-        {
-          matrix.row.insert(matrix.row.end(), column.begin(), column.end());
-          matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
-        }
-      matrix.value.assign(matrix.row.size(), 0.);
-      return matrix;
-    }
-
-    /// Couples all pairs of the unknowns that `index` knows.
+    /// Couples all pairs of the unknowns that `index` knows; of a symmetric matrix the upper
+    /// triangle.
     void couple(const std::vector<unsigned int> &unknowns,
                 const std::vector<unsigned int> &index,
+                const bool                       symmetric,
                 std::vector<std::set<int>>      &columns)
     {
       for (const unsigned int i : unknowns)
         for (const unsigned int j : unknowns)
-          if (index[i] != none && index[j] != none && index[i] <= index[j])
+          if (index[i] != none && index[j] != none && (!symmetric || index[i] <= index[j]))
             columns[index[j]].insert(static_cast<int>(index[i]));
     }
 
@@ -57,7 +45,8 @@ namespace dpcontact
   template <int dim>
   Core<dim>::Core(const Discretization<dim>              &space,
                   const std::vector<std::vector<double>> &elastic_blocks,
-                  const double                            radius_)
+                  const double                            radius_,
+                  const bool                              symmetric)
     : radius(radius_)
     , n_faces(0)
     , far_unknown(space.far_unknown())
@@ -84,11 +73,11 @@ namespace dpcontact
     while (n_faces < space.surface().size() && in_core[space.surface()[n_faces].cell])
       ++n_faces;
 
+    matrix.symmetric                           = symmetric;
     const std::vector<unsigned int> core_index = inverse(unknowns, space.n_free());
     build_pattern(space, core_index);
     for (std::size_t k = 0; k < cells.size(); ++k)
-      for (std::size_t e = 0; e < cell_positions[k].size(); ++e)
-        matrix.value[cell_positions[k][e]] += elastic_blocks[cells[k]][e];
+      add_elastic(elastic_blocks[cells[k]], k);
     if (touched_inside[far_unknown])
       {
         const unsigned int far = core_index[far_unknown];
@@ -98,7 +87,28 @@ namespace dpcontact
     if (!shared.empty())
       condense(space, elastic_blocks, core_index);
     elastic_values = matrix.value;
-    solver         = std::make_unique<CholeskySolver>(matrix);
+    solver         = make_direct_solver(matrix);
+  }
+
+  template <int dim>
+  void Core<dim>::add_elastic(const std::vector<double> &upper_triangle, const std::size_t cell)
+  {
+    const std::vector<int> &positions = cell_positions[cell];
+    if (matrix.symmetric)
+      {
+        for (std::size_t e = 0; e < positions.size(); ++e)
+          matrix.value[positions[e]] += upper_triangle[e];
+        return;
+      }
+    const auto    n     = static_cast<std::size_t>(std::lround(std::sqrt(positions.size())));
+    const double *entry = upper_triangle.data();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i; j < n; ++j, ++entry)
+        {
+          matrix.value[positions[i * n + j]] += *entry;
+          if (i != j)
+            matrix.value[positions[j * n + i]] += *entry;
+        }
   }
 
   template <int dim>
@@ -107,16 +117,16 @@ namespace dpcontact
   {
     std::vector<std::set<int>> columns(unknowns.size());
     for (const unsigned int c : cells)
-      couple(space.cells()[c].unknowns, core_index, columns);
+      couple(space.cells()[c].unknowns, core_index, matrix.symmetric, columns);
     for (unsigned int f = 0; f < n_faces; ++f)
-      couple(space.surface()[f].unknowns, core_index, columns);
-    couple(shared, core_index, columns);
-    matrix = make_matrix(columns);
+      couple(space.surface()[f].unknowns, core_index, matrix.symmetric, columns);
+    couple(shared, core_index, matrix.symmetric, columns);
+    matrix = SparseMatrix::with_pattern(columns, matrix.symmetric);
 
     const auto positions = [&](const std::vector<unsigned int> &of) {
       std::vector<int> result;
       for (unsigned int i = 0; i < of.size(); ++i)
-        for (unsigned int j = i; j < of.size(); ++j)
+        for (unsigned int j = matrix.symmetric ? i : 0; j < of.size(); ++j)
           result.push_back(matrix.position(core_index[of[i]], core_index[of[j]]));
       return result;
     };
@@ -137,8 +147,8 @@ namespace dpcontact
 
     std::vector<std::set<int>> columns(n_exterior);
     for (const unsigned int c : outside)
-      couple(space.cells()[c].unknowns, exterior_index, columns);
-    SymmetricMatrix     K_EE = make_matrix(columns);
+      couple(space.cells()[c].unknowns, exterior_index, true, columns);
+    SparseMatrix        K_EE = SparseMatrix::with_pattern(columns, true);
     std::vector<double> K_EI(n_exterior * n, 0.); // by columns
     stiffness.assign(n * n, 0.);
     for (const unsigned int c : outside)
@@ -170,11 +180,11 @@ namespace dpcontact
         K_EE.value[K_EE.position(far, far)] += space.exterior_stiffness();
       }
 
-    CholeskySolver elastic(K_EE);
-    const bool     definite = elastic.factorize(K_EE);
+    const auto elastic  = make_direct_solver(K_EE);
+    const bool definite = elastic->factorize(K_EE);
     Assert(definite, dealii::ExcInternalError());
     (void)definite;
-    elastic.solve(K_EI, recovery);
+    elastic->solve(K_EI, recovery);
     for (double &value : recovery)
       value = -value;
     std::vector<std::size_t> coupled; // the few rows of a column of K_EI that are not zero
@@ -190,9 +200,11 @@ namespace dpcontact
             for (const std::size_t e : coupled)
               product += K_EI[i * n_exterior + e] * recovery[j * n_exterior + e];
             stiffness[i * n + j] += product;
-            stiffness[j * n + i] = stiffness[i * n + j];
-            matrix.value[matrix.position(core_index[shared[i]], core_index[shared[j]])] +=
-              stiffness[i * n + j];
+            stiffness[j * n + i]  = stiffness[i * n + j];
+            const unsigned int ci = core_index[shared[i]], cj = core_index[shared[j]];
+            matrix.value[matrix.position(ci, cj)] += stiffness[i * n + j];
+            if (!matrix.symmetric && i != j)
+              matrix.value[matrix.position(cj, ci)] += stiffness[i * n + j];
           }
       }
   }

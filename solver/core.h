@@ -23,9 +23,11 @@ namespace dpcontact
   public:
     /// @param elastic_blocks elastic stiffness of every cell: upper triangle, row by row.
     /// @param radius in the mesh's unit; infinity: the whole body, nothing is condensed.
+    /// @param symmetric whether the tangents of what yields are.
     Core(const Discretization<dim>              &space,
          const std::vector<std::vector<double>> &elastic_blocks,
-         double                                  radius);
+         double                                  radius,
+         bool                                    symmetric);
 
     bool whole() const { return n_shared() == 0; }
 
@@ -35,11 +37,13 @@ namespace dpcontact
     std::vector<unsigned int> unknowns; ///< free unknown of each of its unknowns, ascending
     unsigned int              n_faces;  ///< its faces are the first n_faces of the surface
 
-    SymmetricMatrix                 matrix;         ///< tangent, over its unknowns
-    std::vector<double>             elastic_values; ///< of `matrix`, without plasticity and contact
-    std::vector<std::vector<int>>   cell_positions; ///< upper triangle of each of its cells' blocks
-    std::vector<std::vector<int>>   surface_positions; ///< likewise of its faces
-    std::unique_ptr<CholeskySolver> solver;            ///< of `matrix`
+    SparseMatrix        matrix;         ///< tangent, over its unknowns
+    std::vector<double> elastic_values; ///< of `matrix`, without plasticity and contact
+    /// Of each of its cells' blocks in `matrix`, row by row: the upper triangle, or all of it where
+    /// the matrix is not symmetric.
+    std::vector<std::vector<int>> cell_positions;
+    std::vector<std::vector<int>> surface_positions; ///< likewise of its faces
+    std::unique_ptr<DirectSolver> solver;            ///< of `matrix`
 
     /// Adds what the elastic rest resists with to `residual` (over all free unknowns).
     void add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const;
@@ -52,6 +56,7 @@ namespace dpcontact
     void        condense(const Discretization<dim>              &space,
                          const std::vector<std::vector<double>> &elastic_blocks,
                          const std::vector<unsigned int>        &core_index);
+    void        add_elastic(const std::vector<double> &upper_triangle, std::size_t cell);
     void        build_pattern(const Discretization<dim>       &space,
                               const std::vector<unsigned int> &core_index);
 

@@ -9,13 +9,24 @@ namespace dpcontact
 {
   namespace
   {
-    CurvePoint point_at(const Material &material, const double radius, const double force)
+    /// Largest von Mises stress over the peak pressure: where a metal would yield.
+    double mises_ratio(const Material &material, const double radius)
+    {
+      const Material metal{material.youngs_modulus, material.poisson_ratio, 0, 1};
+      return 1 / first_yield(metal, radius).pressure;
+    }
+
+    CurvePoint point_at(const Material &material,
+                        const double    radius,
+                        const double    force,
+                        const double    mises_ratio)
     {
       CurvePoint point;
-      point.force          = force;
-      point.approach       = hertz::approach(material, radius, force);
-      point.contact_radius = hertz::contact_radius(radius, point.approach);
-      point.pressure_max   = force > 0 ? hertz::peak_pressure(force, point.contact_radius) : 0.;
+      point.force            = force;
+      point.approach         = hertz::approach(material, radius, force);
+      point.contact_radius   = hertz::contact_radius(radius, point.approach);
+      point.pressure_max     = force > 0 ? hertz::peak_pressure(force, point.contact_radius) : 0.;
+      point.mises_stress_max = mises_ratio * point.pressure_max;
       point.plastic_volume = point.dissipated_energy = point.plastic_strain_max = 0;
       return point;
     }
@@ -25,12 +36,13 @@ namespace dpcontact
   elastic_solution(const Material &material, const Scene &scene, const unsigned int loading_steps)
   {
     Solution solution;
-    solution.yield = first_yield(material, scene.radius);
+    solution.yield     = first_yield(material, scene.radius);
+    const double ratio = mises_ratio(material, scene.radius);
     for (unsigned int i = 0; i <= loading_steps; ++i)
       {
         const double tau = static_cast<double>(i) / loading_steps;
         solution.curve.loading.push_back(
-          point_at(material, scene.radius, scene.force_max * tau * tau * tau));
+          point_at(material, scene.radius, scene.force_max * tau * tau * tau, ratio));
       }
     solution.curve.unloading.assign(solution.curve.loading.rbegin(), solution.curve.loading.rend());
     solution.coarser_steps = solution.curve;

@@ -52,6 +52,7 @@ namespace dpcontact
             point.force *= force;
             point.contact_radius *= length;
             point.pressure_max *= stress;
+            point.mises_stress_max *= stress;
             point.plastic_volume *= length * length * length;
             point.dissipated_energy *= force * approach;
             point.plastic_strain_max *= approach / length;
@@ -192,9 +193,17 @@ namespace dpcontact
         {
           member.material.check();
           member.scene.check();
-          if (member.material.poisson_ratio != members.front().material.poisson_ratio ||
-              member.material.friction_angle != members.front().material.friction_angle)
-            throw InputError("the members of a family must have equal nu and phi");
+          const Material &first = members.front().material;
+          if (member.material.criterion != Criterion::drucker_prager ||
+              member.material.hardening != 0)
+            throw InputError(
+              "families need perfectly plastic drucker-prager: others bring groups of "
+              "their own (H/E, T0/sigma_c); use mode = direct");
+          if (member.material.poisson_ratio != first.poisson_ratio ||
+              member.material.friction_angle != first.friction_angle ||
+              member.material.flow_stress_ratio != first.flow_stress_ratio ||
+              member.material.flow_angle() != first.flow_angle())
+            throw InputError("the members of a family must have equal nu, phi, K and psi");
         }
     }
   } // namespace
@@ -217,7 +226,8 @@ namespace dpcontact
       {
         const FirstYield yield = first_yield(members[i].material, members[i].scene.radius);
         load_level[i]          = members[i].scene.force_max / yield.force;
-        if (options.closed_form && members[i].scene.force_max <= yield.onset_force())
+        if (options.closed_form && members[i].material.onset_is_known() &&
+            members[i].scene.force_max <= yield.onset_force())
           {
             solutions[i] = elastic_solution(members[i].material, members[i].scene, elastic_steps);
             solutions[i].used = options;

@@ -16,7 +16,7 @@ namespace dpcontact
   dealii::Tensor<1, dim> BoussinesqField<dim>::displacement(const dealii::Point<dim> &p) const
   {
     const double z = -p[dim - 1], rho = p.norm();
-    const double c = 1 / (4 * M_PI * shear_modulus);
+    const double c       = 1 / (4 * M_PI * shear_modulus);
     const double inwards = c * (z * z / (rho * rho * rho) + 2 * (1 - poisson_ratio) / rho);
     // u_r/r, finite on the axis: (ρ − z)/r² = 1/(ρ + z).
     const double radial_over_r =
@@ -29,19 +29,18 @@ namespace dpcontact
   }
 
   template <int dim>
-  dealii::Tensor<1, dim>
-  BoussinesqField<dim>::traction(const dealii::Point<dim>     &p,
-                                 const dealii::Tensor<1, dim> &normal) const
+  dealii::Tensor<1, dim> BoussinesqField<dim>::traction(const dealii::Point<dim>     &p,
+                                                        const dealii::Tensor<1, dim> &normal) const
   {
     const double r = radius(p), z = -p[dim - 1], rho = p.norm();
-    const double m = 1 - 2 * poisson_ratio;
+    const double m    = 1 - 2 * poisson_ratio;
     const double rho3 = rho * rho * rho, rho5 = rho3 * rho * rho;
-    const double c = 1 / (2 * M_PI);
-    const double shell     = m / (rho * (rho + z)); // (1−2ν)(1/r²)(1 − z/ρ)
-    const double sigma_r   = c * (shell - 3 * z * r * r / rho5);
-    const double sigma_t   = c * m * (z / rho3 - 1 / (rho * (rho + z)));
-    const double sigma_z   = -c * 3 * z * z * z / rho5;
-    const double sigma_ry  = c * 3 * r * z * z / rho5; // −σ_rz: y points against z
+    const double c        = 1 / (2 * M_PI);
+    const double shell    = m / (rho * (rho + z)); // (1−2ν)(1/r²)(1 − z/ρ)
+    const double sigma_r  = c * (shell - 3 * z * r * r / rho5);
+    const double sigma_t  = c * m * (z / rho3 - 1 / (rho * (rho + z)));
+    const double sigma_z  = -c * 3 * z * z * z / rho5;
+    const double sigma_ry = c * 3 * r * z * z / rho5; // −σ_rz: y points against z
 
     dealii::Tensor<1, dim> e_r; // radial direction, components before the last
     double                 normal_r = 0;

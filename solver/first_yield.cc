@@ -90,7 +90,7 @@ namespace dpcontact
     yield.contact_radius            = radius * (slope * yield.pressure);
     yield.approach                  = 2 * yield.contact_radius * (slope * yield.pressure);
     yield.depth_over_contact_radius = maximum.depth;
-    yield.ring_pressure             = 3 * k / (1 - 2 * nu);
+    yield.ring_pressure             = 3 * material.shear_strength() / (1 - 2 * nu);
     yield.ring_force                = force(yield.ring_pressure);
     return yield;
   }

@@ -5,16 +5,16 @@
 
 namespace dpcontact
 {
-  /// Where and when the elastic (Hertz) solution first reaches the Drucker–Prager surface, SI units.
+  /// Where and when the elastic (Hertz) solution first reaches the yield surface, SI units.
   struct FirstYield
   {
-    double pressure;                  ///< P₀,y: Hertz peak pressure at first yield on the axis, Pa
-    double force;                     ///< F_y, eq (12), N
-    double approach;                  ///< δ_y, eq (13), mutual, m
-    double contact_radius;            ///< a at F_y, m
+    double pressure;       ///< P₀,y: Hertz peak pressure at first yield on the axis, Pa
+    double force;          ///< F_y, eq (12), N
+    double approach;       ///< δ_y, eq (13), mutual, m
+    double contact_radius; ///< a at F_y, m
     double depth_over_contact_radius; ///< u = z/a of the yielding point on the axis
-    double ring_pressure;             ///< Hertz peak pressure at which the ring r = a, z = 0 yields, Pa
-    double ring_force;                ///< force at which the ring yields, N
+    double ring_pressure; ///< Hertz peak pressure at which the ring r = a, z = 0 yields, Pa
+    double ring_force;    ///< force at which the ring yields, N
 
     /// Force below which the scene is wholly elastic.
     double onset_force() const { return force < ring_force ? force : ring_force; }
@@ -22,7 +22,9 @@ namespace dpcontact
 
   /// First yield of two identical spheres, on the axis (Wang et al. 2018, eqs 8–13, with the factor
   /// (1+ν) that eq (10) lacks restored) and on the ring r = a (σ_r = −σ_θ = (1−2ν)P₀/3).
-  /// Both yield at a finite load for every material that Material::check accepts.
+  /// On the axis the stress is triaxial compression, where all criteria of the same φ and σc agree;
+  /// the ring is in pure shear. Both yield at a finite load for every material that Material::check
+  /// accepts (the ring at once where the tension cut-off is zero).
   ///
   /// @throws InputError where material or radius are out of range.
   FirstYield first_yield(const Material &material, double radius);

@@ -5,6 +5,7 @@
 #include "meshing/sphere_cap.h"
 #include "meshing/zoned_mesh.h"
 #include "solver/hertz.h"
+#include "solver/law_of.h"
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -48,20 +49,13 @@ namespace dpcontact
     if (si)
       dealii::GridTools::scale(a, triangulation);
 
-    const double        modulus = si ? E : 1;
-    laws::DruckerPrager law;
-    law.shear_modulus = modulus / (2 * (1 + nu));
-    law.bulk_modulus  = modulus / (3 * (1 - 2 * nu));
-    law.alpha         = laws::drucker_prager_alpha(material.friction_angle);
-    law.strength =
-      laws::drucker_prager_strength(material.friction_angle, material.compressive_strength) /
-      unit_system.stress;
+    const double modulus = si ? E : 1;
 
     space = std::make_unique<Discretization<2>>(
       triangulation, BoussinesqField<2>(modulus, nu), options.element);
     contact_system = std::make_unique<ContactSystem<2>>(
       *space,
-      law,
+      law_of(material, unit_system.stress, unit_system.displacement / unit_system.length),
       Profile(si ? scene.radius : 1., curved ? (si ? 1 : a) / scene.radius : 0.),
       options.penalty_stiffness * (si ? E / a : 1.),
       options.condensation);
@@ -105,6 +99,14 @@ namespace dpcontact
     if (at_end)
       at_end();
     counted = path.counters();
+    checked = path.checks();
+    for (double PathChecks::*energy : {&PathChecks::work,
+                                       &PathChecks::largest_work,
+                                       &PathChecks::elastic_energy,
+                                       &PathChecks::dissipation,
+                                       &PathChecks::mean_dissipation,
+                                       &PathChecks::energy_error})
+      checked.*energy *= 2 * unit_system.energy();
     to_si(curve.loading);
     to_si(curve.unloading);
     return curve;
@@ -163,6 +165,7 @@ namespace dpcontact
         point.force *= unit_system.force();
         point.contact_radius *= unit_system.length;
         point.pressure_max *= unit_system.stress;
+        point.mises_stress_max *= unit_system.stress;
         point.plastic_volume *= unit_system.length * unit_system.length * unit_system.length;
         point.dissipated_energy *= unit_system.energy();
         point.plastic_strain_max *= unit_system.displacement / unit_system.length;

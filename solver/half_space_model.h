@@ -79,6 +79,7 @@ namespace dpcontact
     const ContactSystem<2>      &system() const { return *contact_system; }
     const Discretization<2>     &discretization() const { return *space; }
     const LoadPath<2>::Counters &counters() const { return counted; }
+    const PathChecks            &checks() const { return checked; }
     const MeshQuality           &quality() const { return mesh_quality; }
 
   private:
@@ -94,6 +95,7 @@ namespace dpcontact
     std::unique_ptr<Discretization<2>> space;
     std::unique_ptr<ContactSystem<2>>  contact_system;
     LoadPath<2>::Counters              counted;
+    PathChecks                         checked;
   };
 } // namespace dpcontact
 

@@ -27,8 +27,8 @@ namespace dpcontact::hertz
   /// δ(F)
   inline double approach(const Material &m, const double radius, const double force)
   {
-    return std::pow(
-      3 * force / (4 * effective_modulus(m) * std::sqrt(effective_radius(radius))), 2. / 3.);
+    return std::pow(3 * force / (4 * effective_modulus(m) * std::sqrt(effective_radius(radius))),
+                    2. / 3.);
   }
 
   /// a² = R* δ

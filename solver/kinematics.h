@@ -12,10 +12,10 @@ namespace dpcontact
 {
   /// How a displacement in `dim` coordinates becomes a small strain in space.
   ///
-  /// dim = 2 is axisymmetry: coordinates (r, y), components (u_r, u_y), hoop strain u_r/r, and every
-  /// integral carries 2πr. dim = 3 is space. The last coordinate is the outward normal of the contact
-  /// surface. The strain's independent components are kept as a vector of `n_strains` entries, shears
-  /// counted twice (γ = 2ε), so that σ·ε is the plain product with the stresses.
+  /// dim = 2 is axisymmetry: coordinates (r, y), components (u_r, u_y), hoop strain u_r/r, and
+  /// every integral carries 2πr. dim = 3 is space. The last coordinate is the outward normal of the
+  /// contact surface. The strain's independent components are kept as a vector of `n_strains`
+  /// entries, shears counted twice (γ = 2ε), so that σ·ε is the plain product with the stresses.
   template <int dim>
   struct Kinematics;
 
@@ -29,10 +29,10 @@ namespace dpcontact
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}}};
 
     /// Strain of the shape function that moves `component` by `value` with gradient `gradient`.
-    static std::array<double, n_strains> strain(const unsigned int              component,
-                                                const double                    value,
-                                                const dealii::Tensor<1, 2>     &gradient,
-                                                const dealii::Point<2>         &p)
+    static std::array<double, n_strains> strain(const unsigned int          component,
+                                                const double                value,
+                                                const dealii::Tensor<1, 2> &gradient,
+                                                const dealii::Point<2>     &p)
     {
       if (component == 0)
         return {gradient[0], 0., value / p[0], gradient[1]};
@@ -51,7 +51,7 @@ namespace dpcontact
     static constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains> positions{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-    static std::array<double, n_strains> strain(const unsigned int          component,
+    static std::array<double, n_strains> strain(const unsigned int component,
                                                 const double,
                                                 const dealii::Tensor<1, 3> &g,
                                                 const dealii::Point<3> &)

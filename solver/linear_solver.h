@@ -2,44 +2,45 @@
 #define DPCONTACT_SOLVER_LINEAR_SOLVER_H
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace dpcontact
 {
-  /// A square sparse matrix of symmetric pattern by columns, rows sorted, of which only the upper
-  /// triangle (row ≤ column) is kept.
-  struct SymmetricMatrix
+  /// A square sparse matrix of symmetric pattern by columns, rows sorted. Of a symmetric one only
+  /// the upper triangle (row ≤ column) is kept.
+  struct SparseMatrix
   {
+    bool                symmetric = true;
     std::vector<int>    column_start; ///< n + 1
     std::vector<int>    row;          ///< n_nonzeros
     std::vector<double> value;        ///< n_nonzeros
 
+    /// A matrix of zeros with the given rows, ascending, in each column.
+    static SparseMatrix with_pattern(const std::vector<std::set<int>> &columns, bool symmetric);
+
     unsigned int n() const { return static_cast<unsigned int>(column_start.size() - 1); }
-    /// Index into `row` and `value` of an entry that the pattern holds.
+    /// Index into `row` and `value` of an entry that the pattern holds; where only the upper
+    /// triangle is kept, of its mirror image.
     int position(unsigned int i, unsigned int j) const;
   };
 
-  /// Direct solution of symmetric positive definite systems by CHOLMOD; the symbolic factorisation is
-  /// made once for a pattern.
-  class CholeskySolver
+  /// Direct solution of sparse systems; the symbolic factorisation is made once for a pattern.
+  class DirectSolver
   {
   public:
-    /// Analyses the pattern.
-    explicit CholeskySolver(const SymmetricMatrix &matrix);
-    ~CholeskySolver();
-    CholeskySolver(const CholeskySolver &)            = delete;
-    CholeskySolver &operator=(const CholeskySolver &) = delete;
+    virtual ~DirectSolver() = default;
 
-    /// @return false where the matrix is not positive definite; nothing can be solved then.
-    bool factorize(const SymmetricMatrix &matrix);
+    /// @return false where the matrix is singular, or a symmetric one not positive definite; nothing
+    /// can be solved then.
+    virtual bool factorize(const SparseMatrix &matrix) = 0;
 
     /// x = A⁻¹ b with the last factorisation; b holds one or several right-hand sides by columns.
-    void solve(const std::vector<double> &b, std::vector<double> &x) const;
-
-  private:
-    struct Workspace;
-    std::unique_ptr<Workspace> workspace;
+    virtual void solve(const std::vector<double> &b, std::vector<double> &x) const = 0;
   };
+
+  /// Analyses the pattern: CHOLMOD for a symmetric matrix, UMFPACK for another.
+  std::unique_ptr<DirectSolver> make_direct_solver(const SparseMatrix &matrix);
 } // namespace dpcontact
 
 #endif

@@ -110,6 +110,7 @@ namespace dpcontact
             dissipated += 2 * integrals.dissipation;
             count.apex_points += integrals.apex_points;
             last_integrals = integrals;
+            check(integrals);
             ++count.steps;
             level = next;
             if (halvings > 0 && report.iterations <= 6)
@@ -127,7 +128,12 @@ namespace dpcontact
                 std::ostringstream message;
                 message << stage << " stopped at force " << now / peak_force
                         << " of the peak: " << report.reason << ", also with the step cut "
-                        << options.max_cut_backs << " times; residuals";
+                        << options.max_cut_backs << " times";
+                if (!laws::associated(system.material()))
+                  message << "; where flow dilates less than the friction angle a stable "
+                             "equilibrium need not exist: a larger dilation angle, hardening or a "
+                             "smaller peak force helps";
+                message << "; residuals";
                 for (const double r : report.residuals)
                   message << ' ' << r;
                 throw SolverError(message.str());
@@ -136,6 +142,24 @@ namespace dpcontact
           }
       }
     (void)stage;
+  }
+
+  template <int dim>
+  void LoadPath<dim>::check(const typename ContactSystem<dim>::Integrals &integrals)
+  {
+    PathChecks &c  = checked;
+    c.residual     = std::max(c.residual, report.residuals.back());
+    c.yield_excess = std::max(c.yield_excess, integrals.largest_yield_excess);
+    if (system.contact_state().active > 0)
+      c.penetration =
+        std::max(c.penetration, system.contact_state().max_violation / std::abs(system.approach));
+    c.work += integrals.work;
+    c.largest_work   = std::max(c.largest_work, c.work);
+    c.elastic_energy = integrals.elastic_energy;
+    c.dissipation += integrals.dissipation;
+    c.mean_dissipation += integrals.mean_dissipation;
+    c.energy_error =
+      std::max(c.energy_error, std::abs(c.work - c.elastic_energy - c.mean_dissipation));
   }
 
   template <int dim>
@@ -152,6 +176,7 @@ namespace dpcontact
     point.plastic_volume     = last_integrals.plastic_volume;
     point.plastic_strain_max = last_integrals.plastic_strain_max;
     point.dissipated_energy  = dissipated;
+    point.mises_stress_max   = last_integrals.mises_stress_max;
     point.newton_iterations  = iterations_of_point;
     iterations_of_point      = 0;
     return point;
@@ -179,6 +204,7 @@ namespace dpcontact
     system.contact().set_active(true);
     CurvePoint origin;
     origin.approach = origin.force = origin.contact_radius = origin.pressure_max = 0;
+    origin.mises_stress_max                                                      = 0;
     origin.plastic_volume = origin.dissipated_energy = origin.plastic_strain_max = 0;
     std::vector<CurvePoint> points{origin};
 
@@ -240,6 +266,7 @@ namespace dpcontact
                                         last_force,
                                         last_integrals,
                                         dissipated,
+                                        checked,
                                         peak_force);
     const double force   = system.force();
     peak_force           = force;
@@ -251,6 +278,7 @@ namespace dpcontact
              last_force,
              last_integrals,
              dissipated,
+             checked,
              peak_force) = before;
     unloading            = false;
     system.restore(state);

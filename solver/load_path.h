@@ -63,7 +63,8 @@ namespace dpcontact
     /// of contact, its approach that at which the plane would touch the deformed surface.
     std::vector<CurvePoint> unload();
 
-    const Counters &counters() const { return count; }
+    const Counters   &counters() const { return count; }
+    const PathChecks &checks() const { return checked; }
     /// Newton's residuals in the last step, for convergence tests.
     const NewtonReport &last_newton() const { return report; }
 
@@ -76,12 +77,14 @@ namespace dpcontact
                                     double                               from,
                                     double                               to);
     std::vector<CurvePoint> unload(unsigned int steps);
+    void                    check(const typename ContactSystem<dim>::Integrals &integrals);
     CurvePoint              record();
 
     ContactSystem<dim> &system;
     Options             options;
     StepObserver        observer;
     Counters            count;
+    PathChecks          checked; ///< energies of one sphere
     NewtonReport        report;
     double              peak_force          = 0;
     bool                unloading           = false;

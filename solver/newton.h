@@ -10,10 +10,10 @@ namespace dpcontact
 {
   struct NewtonOptions
   {
-    double       tolerance      = 1e-10; ///< on the problem's dimensionless residual norm
-    unsigned int max_iterations = 25;
-    unsigned int max_line_search = 8;    ///< evaluations along one correction
-    double       overshoot       = 0.5;  ///< share of the starting slope that may be left
+    double       tolerance       = 1e-10; ///< on the problem's dimensionless residual norm
+    unsigned int max_iterations  = 25;
+    unsigned int max_line_search = 8;   ///< evaluations along one correction
+    double       overshoot       = 0.5; ///< share of the starting slope that may be left
   };
 
   struct NewtonReport
@@ -33,9 +33,9 @@ namespace dpcontact
   ///   double slope();           step · residual at the current iterate, negative before moving;
   ///   void   move(double t);    iterate += t · step.
   /// Where the residual is the gradient of a convex potential (associated plasticity and
-  /// frictionless contact are), the slope grows along the step and its zero is the potential's minimum:
-  /// a full step is kept unless it overshoots that by more than `overshoot`; then the zero is
-  /// bracketed (Matthies & Strang, Int. J. Numer. Methods Eng. 14, 1979).
+  /// frictionless contact are), the slope grows along the step and its zero is the potential's
+  /// minimum: a full step is kept unless it overshoots that by more than `overshoot`; then the zero
+  /// is bracketed (Matthies & Strang, Int. J. Numer. Methods Eng. 14, 1979).
   template <class Problem>
   NewtonReport solve_newton(Problem &problem, const NewtonOptions &options)
   {
@@ -51,8 +51,8 @@ namespace dpcontact
           }
         if (report.iterations == static_cast<int>(options.max_iterations))
           {
-            report.reason = "no convergence in " + std::to_string(options.max_iterations) +
-                            " Newton iterations";
+            report.reason =
+              "no convergence in " + std::to_string(options.max_iterations) + " Newton iterations";
             return report;
           }
         ++report.iterations;
@@ -65,7 +65,7 @@ namespace dpcontact
         const double start = problem.slope();
         double       low = 0, low_slope = start, high = 1;
         problem.move(1);
-        norm = problem.residual();
+        norm              = problem.residual();
         double high_slope = problem.slope();
         double position   = 1;
         for (unsigned int k = 0; k < options.max_line_search; ++k)

@@ -35,8 +35,8 @@ namespace dpcontact
     }
 
     const char *const component_names_2d[] = {"stress_rr", "stress_yy", "stress_tt", "stress_ry"};
-    const char *const component_names_3d[] = {
-      "stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_xz", "stress_yz"};
+    const char *const component_names_3d[] =
+      {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_xz", "stress_yz"};
   } // namespace
 
   template <int dim>
@@ -60,11 +60,11 @@ namespace dpcontact
     const dealii::FE_DGQ<dim> linear(1);
     dealii::DoFHandler<dim>   cells(mesh);
     cells.distribute_dofs(linear);
-    const auto         project  = projection<dim>(space.points_per_direction());
-    const unsigned int n_values = Kinematics<dim>::n_strains + 3;
+    const auto                          project  = projection<dim>(space.points_per_direction());
+    const unsigned int                  n_values = Kinematics<dim>::n_strains + 3;
     std::vector<dealii::Vector<double>> fields(n_values, dealii::Vector<double>(cells.n_dofs()));
-    dealii::Vector<double> at_points(static_cast<unsigned int>(project.n()));
-    dealii::Vector<double> at_corners(static_cast<unsigned int>(project.m()));
+    dealii::Vector<double>              at_points(static_cast<unsigned int>(project.n()));
+    dealii::Vector<double>              at_corners(static_cast<unsigned int>(project.m()));
     std::vector<dealii::types::global_dof_index> local(linear.n_dofs_per_cell());
     std::size_t                                  first = 0;
     for (const auto &cell : cells.active_cell_iterators())
@@ -85,8 +85,8 @@ namespace dpcontact
                 else if (v == Kinematics<dim>::n_strains + 1)
                   at_points[q] = stress_factor * mises(sigma);
                 else
-                  at_points[q] = displacement_factor / length *
-                                 system.accumulated_plastic_strain()[first + q];
+                  at_points[q] =
+                    displacement_factor / length * system.accumulated_plastic_strain()[first + q];
               }
             project.vmult(at_corners, at_points);
             for (unsigned int i = 0; i < local.size(); ++i)
@@ -105,12 +105,11 @@ namespace dpcontact
     for (unsigned int v = 0; v < n_values; ++v)
       {
         const unsigned int extra = v - Kinematics<dim>::n_strains;
-        const std::string  name =
-          v < Kinematics<dim>::n_strains ?
-             (dim == 2 ? component_names_2d[v] : component_names_3d[v]) :
-           extra == 0 ? "pressure" :
-           extra == 1 ? "mises_stress" :
-                        "plastic_strain";
+        const std::string  name  = v < Kinematics<dim>::n_strains
+                                     ? (dim == 2 ? component_names_2d[v] : component_names_3d[v])
+                                   : extra == 0 ? "pressure"
+                                   : extra == 1 ? "mises_stress"
+                                                : "plastic_strain";
         output.add_data_vector(cells, fields[v], name);
       }
     output.build_patches(2);
@@ -154,6 +153,8 @@ namespace dpcontact
     return profile;
   }
 
-  template void write_fields<2>(const ContactSystem<2> &, double, double, double, const std::string &);
-  template void write_fields<3>(const ContactSystem<3> &, double, double, double, const std::string &);
+  template void
+  write_fields<2>(const ContactSystem<2> &, double, double, double, const std::string &);
+  template void
+  write_fields<3>(const ContactSystem<3> &, double, double, double, const std::string &);
 } // namespace dpcontact

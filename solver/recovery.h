@@ -8,8 +8,9 @@
 
 namespace dpcontact
 {
-  /// Writes displacement, stress, pressure, Mises stress and accumulated plastic strain of the state
-  /// last evaluated to a VTU file (ParaView), linear within each cell, from its quadrature points.
+  /// Writes displacement, stress, pressure, Mises stress and accumulated plastic strain of the
+  /// state last evaluated to a VTU file (ParaView), linear within each cell, from its quadrature
+  /// points.
   /// @param length, displacement, stress factors from the system's units to SI.
   /// @throws FileError where the file cannot be written.
   template <int dim>
@@ -19,8 +20,8 @@ namespace dpcontact
                     double                    stress,
                     const std::string        &file);
 
-  /// Stresses on the axis r = 0 from the surface downwards, by the same linear recovery, each value at
-  /// the end of a cell's edge and the mean of the cells that meet there. In the system's units.
+  /// Stresses on the axis r = 0 from the surface downwards, by the same linear recovery, each value
+  /// at the end of a cell's edge and the mean of the cells that meet there. In the system's units.
   std::vector<AxisPoint> axis_profile(const ContactSystem<2> &system);
 } // namespace dpcontact
 

@@ -113,7 +113,7 @@ namespace dpcontact
 
     const FirstYield yield = first_yield(material, scene.radius);
     if (options.closed_form && options.surface == Surface::parabola && fields_directory.empty() &&
-        scene.force_max <= yield.onset_force())
+        material.onset_is_known() && scene.force_max <= yield.onset_force())
       {
         Solution solution = elastic_solution(material, scene, elastic_steps);
         solution.used     = options;
@@ -164,6 +164,7 @@ namespace dpcontact
         Curve fine = model.run(steps, observer, at_peak, [&] { write("released.vtu"); });
         add_cost(solution.cost, model);
         solution.apex_points    = model.counters().apex_points;
+        solution.checks         = model.checks();
         const double difference = step_difference(coarse, fine);
         // Steps that were cut are no longer twice the finer ones: nothing is known to cancel then.
         const bool           fine_was_cut = model.counters().cut_backs > 0;

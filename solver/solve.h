@@ -114,6 +114,7 @@ namespace dpcontact
     double                   mesh_radius   = 0; ///< contact radius that the mesh is fitted to, m
     MeshQuality              mesh_quality;      ///< of the mesh in units of its contact radius
     Cost                     cost;
+    PathChecks               checks; ///< of the finest run; zero where Hertz's form was used
     unsigned int             apex_points = 0; ///< converged apex states met over the whole path
     std::vector<std::string> warnings;        ///< e.g. small strain left behind
   };

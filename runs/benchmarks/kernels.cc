@@ -150,7 +150,7 @@ namespace
     laws::StressTensor  strain;
     strain[0][1] = shear * unit;
     strain[0][0] = strain[1][1] = strain[2][2] = volume * unit;
-    const DruckerPrager::State virgin;
+    const laws::State virgin;
     for (auto _ : state)
       benchmark::DoNotOptimize(law.evaluate(virgin, strain));
     state.counters["branch"] = static_cast<double>(law.evaluate(virgin, strain).branch);
@@ -188,21 +188,21 @@ namespace
   void factorise(benchmark::State &state)
   {
     const auto    &matrix = loaded_system(state).tangent();
-    CholeskySolver solver(matrix);
+    const auto solver = make_direct_solver(matrix);
     for (auto _ : state)
-      benchmark::DoNotOptimize(solver.factorize(matrix));
+      benchmark::DoNotOptimize(solver->factorize(matrix));
   }
 
   void solve(benchmark::State &state)
   {
     const auto    &matrix = loaded_system(state).tangent();
-    CholeskySolver solver(matrix);
-    solver.factorize(matrix);
+    const auto solver = make_direct_solver(matrix);
+    solver->factorize(matrix);
     const std::vector<double> b(matrix.n(), 1.);
     std::vector<double>       x;
     for (auto _ : state)
       {
-        solver.solve(b, x);
+        solver->solve(b, x);
         benchmark::DoNotOptimize(x.data());
       }
   }

@@ -59,7 +59,7 @@ namespace
   /// The first of these that a stack holds, from its top.
   constexpr std::array<Stage, 12> stages{{{"CholeskySolver::factorize", "factorise"},
                                           {"CholeskySolver::solve", "solve"},
-                                          {"CholeskySolver::CholeskySolver", "core"},
+                                          {"make_direct_solver", "core"},
                                           {"Core<2>::Core", "core"},
                                           {"ContactSystem<2>::correction", "assemble"},
                                           {"ContactSystem<2>::residual", "residual"},

@@ -56,6 +56,7 @@ namespace dpcontact::commands
               {"dissipated_energy", row.dissipated_energy_J},
               {"apex_points", row.apex_points},
               {"step_error", solution.step_error},
+              {"checks", checks_json(solution.checks)},
               {"cost", cost_json(row)},
               {"status", row.status},
               {"reason", row.reason},

@@ -38,7 +38,7 @@ def main(writer):
         assert len(table) == len(expected)
 
         with h5py.File(directory / "sample.h5", "r") as file:
-            assert file.attrs["schema_version"] == 2
+            assert file.attrs["schema_version"] == 3
             assert dict(file["provenance"].attrs) == {
                 "git_revision": "0123abc",
                 "input": "φ = 20°",

@@ -57,7 +57,7 @@ TEST_F(CsvTest, HeaderBeginsAsPromised)
   while (std::getline(in, line) && line[0] == '#')
     {}
   EXPECT_EQ(line.rfind(header, 0), 0U); // nothing but comments before it
-  for (const char *part : {"# schema_version: 2\n",
+  for (const char *part : {"# schema_version: 3\n",
                            "# git_revision: 0123abc\n",
                            "# input: two\n# lines\n",
                            "#   force_yield_N, N, F_y"})

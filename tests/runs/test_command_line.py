@@ -1,6 +1,7 @@
 """The command line: documents, messages and exit codes that need no computation of a curve."""
 
 import json
+import math
 import subprocess
 
 import program
@@ -15,6 +16,10 @@ def with_value(option, value):
     options = list(TYPE_1) + ["--radius", "0.1", "--force-max", "100"]
     options[options.index(option) + 1] = value
     return options
+
+
+TYPE_1_DOCUMENT = {"criterion": "drucker-prager", "E": 1e10, "nu": 0.15, "phi_deg": 25,
+                   "sigma_c": 15e6, "flow_stress_ratio": 1, "dilation_deg": 25, "hardening": 0}
 
 
 class Yield(program.TestCase):
@@ -34,8 +39,7 @@ class Yield(program.TestCase):
 
     def test_document(self):
         found = self.document("yield", *TYPE_1)
-        self.assertEqual(found["material"],
-                         {"E": 1e10, "nu": 0.15, "phi_deg": 25, "sigma_c": 15e6})
+        self.assertEqual(found["material"], TYPE_1_DOCUMENT)
         self.assertEqual(found["scene"], {"radius": 0.1, "force_max": 100})
         self.assertLessEqual({"force", "approach", "pressure", "depth_over_contact_radius",
                               "ring_force"}, set(found["yield"]))
@@ -85,8 +89,7 @@ class Solve(program.TestCase):
 
     def test_document_and_files(self):
         found = self.document("solve", *TYPE_1, *self.COARSE, "--output", "new/results")
-        self.assertEqual(found["material"],
-                         {"E": 1e10, "nu": 0.15, "phi_deg": 25, "sigma_c": 15e6})
+        self.assertEqual(found["material"], TYPE_1_DOCUMENT)
         self.assertEqual(found["scene"], {"radius": 0.1, "force_max": 100})
         self.assertEqual(found["status"], "converged")
         for part, names in {
@@ -146,6 +149,84 @@ class Usage(program.TestCase):
         self.assertEqual(version.returncode, SUCCESS)
         for word in ["dpcontact ", "deal.II 9.", "gmsh 4.", "GSL 2."]:
             self.assertIn(word, version.stdout)
+
+
+class Criteria(program.TestCase):
+    PYRAMID = ["--criterion", "mohr-coulomb", "--E", "10GPa", "--nu", "0.38", "--phi", "27.8"]
+    METAL = ["--criterion", "von-mises", "--E", "193GPa", "--nu", "0.3"]
+
+    def test_strength_by_either_name(self):
+        # C = (1 - sin phi)/(2 cos phi) sigma_c and sigma_Y = 3 (1 - sin phi)/(3 - sin phi) sigma_c
+        sine, cosine = math.sin(math.radians(27.8)), math.cos(math.radians(27.8))
+        pyramid = self.document("yield", *self.PYRAMID, "--sigma-c", "10.61MPa")["material"]
+        self.assertAlmostEqual(pyramid["cohesion"], (1 - sine) / (2 * cosine) * 10.61e6, delta=1)
+        self.assertIsNone(pyramid["tension_cutoff"])
+        same = self.document("yield", *self.PYRAMID, "--cohesion", str(pyramid["cohesion"]))
+        self.assertAlmostEqual(same["material"]["sigma_c"], 10.61e6, delta=1)
+
+        metal = self.document("yield", "--criterion", "von-mises", "--E", "10GPa", "--nu", "0.38",
+                              "--phi", "27.8", "--sigma-c", "10.61MPa")
+        self.assertAlmostEqual(metal["material"]["sigma_c"],
+                               3 * (1 - sine) / (3 - sine) * 10.61e6, delta=1)
+        self.assertEqual(metal["material"]["phi_deg"], 0)
+        by_stress = self.document("yield", "--criterion", "von-mises", "--E", "10GPa", "--nu", "0.38",
+                                  "--yield-stress", str(metal["material"]["sigma_c"]))
+        self.assertEqual(by_stress["yield"], metal["yield"])
+
+    def test_first_yield(self):
+        # On the axis the cone and the pyramid agree; on the ring, in pure shear, the tau of each.
+        cone = self.document("yield", *self.PYRAMID[2:], "--sigma-c", "10.61MPa")["yield"]
+        rounded = self.document("yield", *self.PYRAMID[2:], "--sigma-c", "10.61MPa",
+                                "--flow-stress-ratio", "0.778")["yield"]
+        pyramid = self.document("yield", *self.PYRAMID, "--sigma-c", "10.61MPa")["yield"]
+        cut = self.document("yield", *self.PYRAMID, "--sigma-c", "10.61MPa", "--tension-cutoff",
+                            "1MPa")["yield"]
+        for other in rounded, pyramid, cut:
+            self.assertAlmostEqual(other["force"] / cone["force"], 1, places=12)
+        self.assertAlmostEqual(rounded["ring_pressure"] / cone["ring_pressure"],
+                               2 / (1 + 1 / 0.778), places=12)
+        self.assertAlmostEqual(cut["ring_pressure"], 3 * 1e6 / (1 - 2 * 0.38), delta=1)
+        sine = math.sin(math.radians(27.8))
+        self.assertAlmostEqual(pyramid["ring_pressure"],
+                               3 * (1 - sine) / 2 * 10.61e6 / (1 - 2 * 0.38), delta=1)
+
+    def test_what_a_criterion_does_not_have(self):
+        strength = ["--sigma-c", "10MPa"]
+        for arguments, words in [
+                ([*TYPE_1, "--criterion", "tresca"], ["criterion", "tresca", "mohr-coulomb"]),
+                ([*TYPE_1, "--cohesion", "3MPa"], ["cohesion", "mohr-coulomb", "drucker-prager"]),
+                ([*TYPE_1, "--tension-cutoff", "1MPa"], ["tension-cutoff", "drucker-prager"]),
+                ([*TYPE_1, "--yield-stress", "1MPa"], ["yield-stress", "von-mises"]),
+                ([*self.PYRAMID, *strength, "--hardening", "1MPa"], ["hardening", "mohr-coulomb"]),
+                ([*self.PYRAMID, *strength, "--flow-stress-ratio", "0.9"], ["flow-stress-ratio"]),
+                ([*self.PYRAMID, *strength, "--cohesion", "1MPa"], ["cohesion", "sigma-c"]),
+                ([*self.METAL, "--yield-stress", "1MPa", "--dilation", "0"], ["dilation"]),
+                ([*self.METAL, "--yield-stress", "1MPa", "--phi", "10"], ["phi", "von-mises"]),
+                ([*self.METAL], ["phi is missing"])]:
+            with self.subTest(arguments=arguments):
+                message = self.fail_with(BAD_INPUT, "yield", *arguments)
+                for word in words:
+                    self.assertIn(word, message)
+
+    def test_values_out_of_range(self):
+        for option, value, words in [("--flow-stress-ratio", "0.7", "0.778"),
+                                     ("--flow-stress-ratio", "1.1", "at most 1"),
+                                     ("--dilation", "30", "at most the friction angle"),
+                                     ("--dilation", "-1", "at least 0"),
+                                     ("--hardening", "-1MPa", "at least 0")]:
+            with self.subTest(option=option, value=value):
+                self.assertIn(words, self.fail_with(BAD_INPUT, "yield", *TYPE_1, option, value))
+        self.assertIn("T0", self.fail_with(BAD_INPUT, "yield", *self.PYRAMID, "--sigma-c", "1MPa",
+                                           "--tension-cutoff", "-1MPa"))
+
+    def test_a_sweep_takes_lists(self):
+        path = self.write("rocks.prm", "set E = 10GPa\nset nu = 0.2\nset phi = 30\n"
+                          "set sigma-c = 10MPa\nset dilation = 0, 15, 30\n"
+                          "set flow-stress-ratio = 0.778, 1\n")
+        rows = self.document("sweep", path, "--dry-run")["rows"]
+        self.assertEqual([(row["material"]["flow_stress_ratio"], row["material"]["dilation_deg"])
+                          for row in rows],
+                         [(k, psi) for k in (0.778, 1) for psi in (0, 15, 30)])
 
 
 class ParameterFiles(program.TestCase):

@@ -9,12 +9,12 @@ namespace
 {
   using namespace dpcontact;
   using namespace dpcontact::tests;
-  using Branch = DruckerPrager::Branch;
+  using Branch = laws::Branch;
 
   /// Largest entry of D:e − (σ(ε + h e) − σ(ε − h e))/(2h) over the six unit directions e, or −1
   /// where the difference straddles two branches.
   double finite_difference_error(const DruckerPrager        &law,
-                                 const DruckerPrager::State &old_state,
+                                 const laws::State &old_state,
                                  const StressTensor         &strain,
                                  const double                h)
   {
@@ -41,7 +41,7 @@ namespace
     for (unsigned int trial = 0; trial < 4000 && compared < 100; ++trial)
       {
         const DruckerPrager  law = rock(.2 + .15 * uniform(), phi_deg, .2, hardening);
-        DruckerPrager::State old_state;
+        laws::State old_state;
         old_state.plastic_strain     = uniform.tensor(.1);
         old_state.hardening_variable = .2 + .2 * uniform();
         const StressTensor strain =

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace
 {
-  using dpcontact::CholeskySolver;
-  using dpcontact::SymmetricMatrix;
+  using dpcontact::make_direct_solver;
+  using dpcontact::SparseMatrix;
 
   double uniform(std::mt19937 &engine)
   {
@@ -19,7 +20,7 @@ namespace
 
   /// Random sparse symmetric matrix: about a tenth of the entries, in rows of growing size, and a
   /// diagonal that dominates by `margin` (negative: does not).
-  SymmetricMatrix random_matrix(const unsigned int n, const double margin, const std::uint32_t seed)
+  SparseMatrix random_matrix(const unsigned int n, const double margin, const std::uint32_t seed)
   {
     std::mt19937                     engine(seed);
     std::vector<std::vector<double>> dense(n, std::vector<double>(n, 0.));
@@ -34,7 +35,7 @@ namespace
           sum += std::abs(dense[i][j]);
         dense[i][i] = sum + margin;
       }
-    SymmetricMatrix matrix;
+    SparseMatrix matrix;
     matrix.column_start = {0};
     for (unsigned int j = 0; j < n; ++j)
       {
@@ -50,9 +51,8 @@ namespace
   }
 
   /// ‖b − A x‖∞ / (‖A‖∞ ‖x‖∞): a backward-stable solver leaves a small multiple of 1e-16.
-  double backward_error(const SymmetricMatrix     &A,
-                        const std::vector<double> &x,
-                        const std::vector<double> &b)
+  double
+  backward_error(const SparseMatrix &A, const std::vector<double> &x, const std::vector<double> &b)
   {
     std::vector<double> residual(b), row_sum(b.size(), 0.);
     for (unsigned int j = 0; j < A.n(); ++j)
@@ -63,7 +63,7 @@ namespace
           const auto value    = A.value[position];
           residual[i] -= value * x[j];
           row_sum[i] += std::abs(value);
-          if (i != j)
+          if (i != j && A.symmetric)
             {
               residual[j] -= value * x[i];
               row_sum[j] += std::abs(value);
@@ -92,47 +92,47 @@ namespace
   {
     for (const unsigned int n : {1u, 2u, 37u, 300u})
       {
-        const auto     A = random_matrix(n, 1e-3, 100 + n);
-        CholeskySolver solver(A);
-        ASSERT_TRUE(solver.factorize(A));
+        const auto A      = random_matrix(n, 1e-3, 100 + n);
+        const auto solver = make_direct_solver(A);
+        ASSERT_TRUE(solver->factorize(A));
         const auto          b = random_vector(n, n);
         std::vector<double> x;
-        solver.solve(b, x);
+        solver->solve(b, x);
         EXPECT_LT(backward_error(A, x, b), 1e-14) << n << " unknowns";
       }
   }
 
   TEST(cholesky_solver, new_values_in_the_same_pattern_need_no_new_analysis)
   {
-    auto                A = random_matrix(120, 1., 5);
-    CholeskySolver      solver(A);
-    const auto          b = random_vector(120, 6);
+    auto                A      = random_matrix(120, 1., 5);
+    const auto          solver = make_direct_solver(A);
+    const auto          b      = random_vector(120, 6);
     std::vector<double> x;
     for (const double factor : {1., 1e-6, 3e9})
       {
         auto scaled = A;
         for (auto &value : scaled.value)
           value *= factor;
-        ASSERT_TRUE(solver.factorize(scaled));
-        solver.solve(b, x);
+        ASSERT_TRUE(solver->factorize(scaled));
+        solver->solve(b, x);
         EXPECT_LT(backward_error(scaled, x, b), 1e-14) << "factor " << factor;
       }
   }
 
   TEST(cholesky_solver, an_indefinite_matrix_is_reported_and_leaves_the_solver_usable)
   {
-    const unsigned int n = 50;
-    const auto         A = random_matrix(n, 1., 7);
-    CholeskySolver     solver(A);
+    const unsigned int n      = 50;
+    const auto         A      = random_matrix(n, 1., 7);
+    const auto         solver = make_direct_solver(A);
     for (const unsigned int flipped : {0u, 23u, n - 1})
       {
         auto indefinite = A;
         indefinite.value[static_cast<std::size_t>(indefinite.position(flipped, flipped))] *= -1;
-        EXPECT_FALSE(solver.factorize(indefinite)) << "diagonal " << flipped;
-        ASSERT_TRUE(solver.factorize(A)) << "after diagonal " << flipped;
+        EXPECT_FALSE(solver->factorize(indefinite)) << "diagonal " << flipped;
+        ASSERT_TRUE(solver->factorize(A)) << "after diagonal " << flipped;
         const auto          b = random_vector(n, 8);
         std::vector<double> x;
-        solver.solve(b, x);
+        solver->solve(b, x);
         EXPECT_LT(backward_error(A, x, b), 1e-14);
       }
   }
@@ -140,12 +140,77 @@ namespace
   TEST(cholesky_solver, a_singular_matrix_is_reported)
   {
     // [1 1; 1 1]: the second pivot is an exact zero.
-    SymmetricMatrix A;
-    A.column_start = {0, 1, 3};
-    A.row          = {0, 0, 1};
-    A.value        = {1., 1., 1.};
-    CholeskySolver solver(A);
-    EXPECT_FALSE(solver.factorize(A));
+    SparseMatrix A;
+    A.column_start    = {0, 1, 3};
+    A.row             = {0, 0, 1};
+    A.value           = {1., 1., 1.};
+    const auto solver = make_direct_solver(A);
+    EXPECT_FALSE(solver->factorize(A));
+  }
+
+  /// The same pattern with both triangles, their values unlike, A symmetric in pattern alone.
+  SparseMatrix make_unsymmetric(const SparseMatrix &A, const std::uint32_t seed)
+  {
+    std::mt19937               engine(seed);
+    std::vector<std::set<int>> columns(A.n());
+    for (unsigned int j = 0; j < A.n(); ++j)
+      for (int k = A.column_start[j]; k < A.column_start[j + 1]; ++k)
+        {
+          const int i = A.row[static_cast<std::size_t>(k)];
+          columns[j].insert(i);
+          columns[static_cast<std::size_t>(i)].insert(static_cast<int>(j));
+        }
+    auto B = SparseMatrix::with_pattern(columns, false);
+    for (unsigned int j = 0; j < A.n(); ++j)
+      for (const int i : columns[j])
+        {
+          const auto row = static_cast<unsigned int>(i);
+          B.value[static_cast<std::size_t>(B.position(row, j))] =
+            A.value[static_cast<std::size_t>(A.position(row, j))] *
+            (row == j ? 1. : uniform(engine));
+        }
+    return B;
+  }
+
+  TEST(lu_solver, random_unsymmetric_systems_are_solved_to_rounding)
+  {
+    for (const unsigned int n : {1u, 2u, 37u, 300u})
+      {
+        const auto A      = make_unsymmetric(random_matrix(n, 1e-3, 200 + n), n);
+        const auto solver = make_direct_solver(A);
+        for (const double factor : {1., -1e6}) // new values, no new analysis; no sign is needed
+          {
+            auto scaled = A;
+            for (auto &value : scaled.value)
+              value *= factor;
+            ASSERT_TRUE(solver->factorize(scaled));
+            auto                b = random_vector(2 * n, n); // two right-hand sides
+            std::vector<double> x;
+            solver->solve(b, x);
+            for (unsigned int k = 0; k < 2; ++k)
+              {
+                const auto begin = static_cast<std::ptrdiff_t>(k * n);
+                const auto end   = begin + static_cast<std::ptrdiff_t>(n);
+                EXPECT_LT(backward_error(scaled,
+                                         {x.begin() + begin, x.begin() + end},
+                                         {b.begin() + begin, b.begin() + end}),
+                          1e-14)
+                  << n << " unknowns";
+              }
+          }
+      }
+  }
+
+  TEST(lu_solver, a_matrix_singular_up_to_rounding_is_reported)
+  {
+    // [1 1; 1 1 + e], as full columns
+    for (const double excess : {0., 1e-15})
+      {
+        auto A            = SparseMatrix::with_pattern({{0, 1}, {0, 1}}, false);
+        A.value           = {1., 1., 1., 1. + excess};
+        const auto solver = make_direct_solver(A);
+        EXPECT_FALSE(solver->factorize(A)) << excess;
+      }
   }
 
   TEST(symmetric_matrix, an_entry_is_found_from_either_side_of_the_diagonal)

@@ -47,8 +47,8 @@ namespace dpcontact::tests
     }
   };
 
-  /// y = A x of the upper triangle that SymmetricMatrix keeps.
-  inline std::vector<double> multiply(const SymmetricMatrix &A, const std::vector<double> &x)
+  /// y = A x of the upper triangle that SparseMatrix keeps.
+  inline std::vector<double> multiply(const SparseMatrix &A, const std::vector<double> &x)
   {
     std::vector<double> y(x.size(), 0.);
     for (unsigned int j = 0; j < A.n(); ++j)

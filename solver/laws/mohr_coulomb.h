@@ -1,0 +1,55 @@
+#ifndef DPCONTACT_SOLVER_LAWS_MOHR_COULOMB_H
+#define DPCONTACT_SOLVER_LAWS_MOHR_COULOMB_H
+
+#include "solver/laws/point.h"
+
+#include <cmath>
+#include <optional>
+
+namespace dpcontact::laws
+{
+  /// Mohr–Coulomb pyramid with an optional Rankine tension cut-off, perfectly plastic. Tension
+  /// positive, σ₁ ≥ σ₂ ≥ σ₃:
+  ///   f  = (σ₁ − σ₃)/2 + (σ₁ + σ₃)/2 sinφ − C cosφ ≤ 0, flow from the same with ψ instead of φ,
+  ///   fₜ = σ₁ − T₀ ≤ 0, associated.
+  /// de Souza Neto, Perić & Owen, Computational Methods for Plasticity (2008), ch. 8.2; returns in
+  /// principal space as in Clausen, Damkilde & Andersen, Computers & Structures 85 (2007).
+  /// φ = 0 is Tresca. A cut-off at or above the pyramid's apex, T₀ ≥ C cotφ, does nothing.
+  /// Stresses in any one unit; the tangent is in that unit too.
+  struct MohrCoulomb
+  {
+    double                shear_modulus;    ///< G
+    double                bulk_modulus;     ///< K
+    double                friction_angle;   ///< φ, rad, 0 ≤ φ < π/2
+    double                cohesion;         ///< C > 0
+    std::optional<double> dilation_angle{}; ///< ψ, rad, 0 ≤ ψ ≤ φ; unset: φ, associated flow
+    std::optional<double> tension_cutoff{}; ///< T₀ ≥ 0; unset: no cut-off
+
+    bool associated() const;
+
+    /// C cosφ, the scale of f
+    double strength() const;
+
+    /// Backward-Euler return mapping. A pure function. Where ψ = 0 < φ the pyramid's apex has no
+    /// volumetric flow; trial states beyond it return to it all the same, by the limit ψ → 0.
+    Response evaluate(const State &old_state, const StressTensor &strain) const;
+
+    /// max(f, fₜ); the hardening variable is without effect.
+    double yield_function(const StressTensor &stress, double hardening_variable) const;
+  };
+
+  /// C = (1 − sinφ)/(2 cosφ) σc = ½ tan(45° − φ/2) σc, which loses no digit towards 90°, and its
+  /// inverse. φ in rad.
+  inline double mohr_coulomb_cohesion(const double friction_angle,
+                                      const double compressive_strength)
+  {
+    return compressive_strength / 2 * std::tan((M_PI / 2 - friction_angle) / 2);
+  }
+  inline double mohr_coulomb_compressive_strength(const double friction_angle,
+                                                  const double cohesion)
+  {
+    return 2 * cohesion / std::tan((M_PI / 2 - friction_angle) / 2);
+  }
+} // namespace dpcontact::laws
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef DPCONTACT_SOLVER_LAWS_VON_MISES_H
+#define DPCONTACT_SOLVER_LAWS_VON_MISES_H
+
+#include "solver/laws/point.h"
+
+namespace dpcontact::laws
+{
+  /// Von Mises cylinder √(3 J₂) ≤ σ_Y(ε̄ᵖ), associated flow, linear isotropic hardening
+  /// σ_Y = σ_Y0 + H ε̄ᵖ with the accumulated plastic strain Δε̄ᵖ = √(2/3) |Δεᵖ|. Stresses in any one
+  /// unit; the tangent is in that unit too.
+  struct VonMises
+  {
+    double shear_modulus; ///< G
+    double bulk_modulus;  ///< K
+    double yield_stress;  ///< σ_Y0, uniaxial
+    double hardening = 0; ///< H = dσ_Y/dε̄ᵖ ≥ 0
+
+    bool associated() const { return true; }
+
+    /// Radial return (Wilkins; Simo & Hughes, Computational Inelasticity (1998), box 3.1). A pure
+    /// function.
+    Response evaluate(const State &old_state, const StressTensor &strain) const;
+
+    /// f(σ, ε̄ᵖ) = √(3 J₂) − σ_Y(ε̄ᵖ)
+    double yield_function(const StressTensor &stress, double hardening_variable) const;
+  };
+
+  /// σ_Y = 3(1 − sinφ)/(3 − sinφ) σc (Wang et al. 2018, section 3.4; model section 2): the cylinder
+  /// through the cone's section I₁ = 0. φ in rad.
+  double von_mises_yield_stress(double friction_angle, double compressive_strength);
+} // namespace dpcontact::laws
+
+#endif
