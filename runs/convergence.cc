@@ -107,7 +107,7 @@ namespace dpcontact
     result.solution    = solve_contact(input.material, input.scene, options);
     const CurveFit fit = fit_of(result.solution, result.solution.curve);
     result.values      = coefficients(fit);
-    result.estimate    = estimate_errors(fit, result.solution, input.scene);
+    result.estimate    = estimate_errors(fit, result.solution, input.material, input.scene);
     const auto fits    = fit_errors(fit);
     for (unsigned int c = 0; c < 4; ++c)
       result.studied[c] = {0, 0, 0, 0, 0, fits[c]};

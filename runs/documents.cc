@@ -72,6 +72,7 @@ namespace dpcontact
       {"octaves", used.octaves},
       {"domain-radius", used.domain_radius},
       {"mesh-stretch", used.mesh_stretch},
+      {"mesh-distortion", used.mesh_distortion},
       {"step-tolerance", used.step_tolerance},
       {"loading-steps", used.loading_steps},
       {"extrapolation", on_off(used.extrapolation)},

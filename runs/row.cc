@@ -240,7 +240,7 @@ namespace dpcontact
 
     row.curve                       = solution.curve;
     row.peak_profile                = solution.peak_profile;
-    const CoefficientErrors errors  = estimate_errors(fit_row(row), solution, input.scene);
+    const CoefficientErrors errors  = estimate_errors(fit_row(row), solution, input.material, input.scene);
     const ErrorColumns      columns = error_columns();
     for (std::size_t c = 0; c < errors.size(); ++c)
       {

@@ -183,6 +183,9 @@ namespace dpcontact
             defaults.octaves),
       number("domain-radius", "far boundary, in contact radii", defaults.domain_radius),
       number("mesh-stretch", "stretches the fitted mesh by a factor", defaults.mesh_stretch),
+      number("mesh-distortion",
+             "moves interior vertices at random by up to this share of an edge",
+             defaults.mesh_distortion),
       number("step-tolerance",
              "accuracy of the force in the load step, relative to the peak force",
              defaults.step_tolerance),
@@ -347,6 +350,7 @@ namespace dpcontact
     read_count("octaves", options.octaves);
     read_number("domain-radius", options.domain_radius);
     read_number("mesh-stretch", options.mesh_stretch);
+    read_number("mesh-distortion", options.mesh_distortion);
     read_number("step-tolerance", options.step_tolerance);
     read_count("loading-steps", options.loading_steps);
     read_number("penalty-stiffness", options.penalty_stiffness);

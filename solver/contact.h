@@ -4,6 +4,7 @@
 #include "solver/discretization.h"
 #include "solver/profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -44,6 +45,9 @@ namespace dpcontact
 
     /// λ ← ⟨λ − ε g⟩.
     void augment(const std::vector<double> &u, double approach);
+
+    /// λ ← 0: nothing is known of the contact to come.
+    void forget() { std::fill(multipliers.begin(), multipliers.end(), 0.); }
 
     /// Switches all contact off (release) or on.
     void set_active(bool active) { enabled = active; }

@@ -409,7 +409,7 @@ namespace dpcontact
   {
     std::fill(u.begin(), u.end(), 0.);
     approach = 0;
-    std::fill(contact_condition.multipliers.begin(), contact_condition.multipliers.end(), 0.);
+    contact_condition.forget();
     std::fill(history.begin(), history.end(), State());
     std::fill(accumulated.begin(), accumulated.end(), 0.);
     std::fill(committed_stress.begin(), committed_stress.end(), laws::StressTensor());

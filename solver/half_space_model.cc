@@ -9,6 +9,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <cmath>
+
 namespace dpcontact
 {
   HalfSpaceModel::HalfSpaceModel(const Material      &material,
@@ -42,6 +44,8 @@ namespace dpcontact
         zones.octaves          = options.octaves;
         make_zoned_mesh(zones, triangulation);
       }
+    if (options.mesh_distortion > 0)
+      dealii::GridTools::distort_random(options.mesh_distortion, triangulation, true, 1);
     const bool curved = options.surface == Surface::sphere;
     if (curved)
       map_to_sphere(scene.radius / a, triangulation);
@@ -79,7 +83,7 @@ namespace dpcontact
     LoadPath<2>             path   = start_path(loading_steps, observer);
     std::vector<CurvePoint> branch = path.load(scene.force_max / unit_system.force(),
                                                peak_approach_guess / unit_system.displacement);
-    counted                        = path.counters();
+    take_counts(path);
     to_si(branch);
     return branch;
   }
@@ -98,6 +102,35 @@ namespace dpcontact
     curve.unloading = path.unload();
     if (at_end)
       at_end();
+    take_counts(path);
+    to_si(curve.loading);
+    to_si(curve.unloading);
+    return curve;
+  }
+
+  std::vector<Curve> HalfSpaceModel::run_cycles(const unsigned int         loading_steps,
+                                                const std::vector<double> &forces,
+                                                const StepObserver        &observer)
+  {
+    LoadPath<2>        path = start_path(loading_steps, observer);
+    std::vector<Curve> cycles;
+    for (const double force : forces)
+      {
+        Curve curve;
+        curve.loading   = path.load(force / unit_system.force(),
+                                  peak_approach_guess / unit_system.displacement *
+                                    std::pow(force / scene.force_max, 2. / 3));
+        curve.unloading = path.unload();
+        to_si(curve.loading);
+        to_si(curve.unloading);
+        cycles.push_back(std::move(curve));
+      }
+    take_counts(path);
+    return cycles;
+  }
+
+  void HalfSpaceModel::take_counts(const LoadPath<2> &path)
+  {
     counted = path.counters();
     checked = path.checks();
     for (double PathChecks::*energy : {&PathChecks::work,
@@ -107,9 +140,6 @@ namespace dpcontact
                                        &PathChecks::mean_dissipation,
                                        &PathChecks::energy_error})
       checked.*energy *= 2 * unit_system.energy();
-    to_si(curve.loading);
-    to_si(curve.unloading);
-    return curve;
   }
 
   HalfSpaceModel::BranchedRun HalfSpaceModel::run(const Levels       &levels,
@@ -142,7 +172,7 @@ namespace dpcontact
                            stop < levels.stops.size() ? levels.stops[stop] : 1.);
       },
       at_level);
-    counted = path.counters();
+    take_counts(path);
     to_si(run.loading);
     return run;
   }

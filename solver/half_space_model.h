@@ -46,6 +46,11 @@ namespace dpcontact
               const std::function<void()> &at_peak = {},
               const std::function<void()> &at_end  = {});
 
+    /// Cycles of loading, to each of the forces (N), and release, from the virgin state.
+    std::vector<Curve> run_cycles(unsigned int               loading_steps,
+                                  const std::vector<double> &forces,
+                                  const StepObserver        &observer);
+
     /// The loading branch alone, from the virgin state.
     std::vector<CurvePoint> run_to_peak(unsigned int loading_steps, const StepObserver &observer);
 
@@ -85,6 +90,7 @@ namespace dpcontact
   private:
     LoadPath<2> start_path(unsigned int loading_steps, const StepObserver &observer);
     void        to_si(std::vector<CurvePoint> &branch) const;
+    void        take_counts(const LoadPath<2> &path);
 
     Scene                              scene;
     SolverOptions                      options;

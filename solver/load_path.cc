@@ -41,7 +41,7 @@ namespace dpcontact
         ++count.augmentations;
       }
     report.converged = false;
-    report.reason    = "the augmentation of the contact did not converge";
+    report.reason    = "the augmentation of the contact did not converge: a larger penalty-stiffness helps";
     return false;
   }
 
@@ -64,6 +64,9 @@ namespace dpcontact
         // What the last step left to the penalty becomes multiplier.
         if (options.augment && present_force > 0)
           system.contact().augment(system.u, system.approach);
+
+        if (level == 0 && next > level)
+          system.contact().forget();
 
         // From no contact at all: Hertz's δ ∝ τ², and at least what lets a node touch.
         if (level == 0)
@@ -201,11 +204,15 @@ namespace dpcontact
     present_force  = 0;
     unloading      = false;
     approach_guess = peak_approach_guess;
+    has_previous   = false;
     system.contact().set_active(true);
     CurvePoint origin;
-    origin.approach = origin.force = origin.contact_radius = origin.pressure_max = 0;
-    origin.mises_stress_max                                                      = 0;
-    origin.plastic_volume = origin.dissipated_energy = origin.plastic_strain_max = 0;
+    origin.approach           = 2 * system.contact().touching_approach(system.u);
+    origin.plastic_volume     = last_integrals.plastic_volume;
+    origin.plastic_strain_max = last_integrals.plastic_strain_max;
+    origin.dissipated_energy  = dissipated;
+    origin.mises_stress_max   = last_integrals.mises_stress_max;
+    origin.force = origin.contact_radius = origin.pressure_max = 0;
     std::vector<CurvePoint> points{origin};
 
     const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };

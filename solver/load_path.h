@@ -41,7 +41,8 @@ namespace dpcontact
 
     LoadPath(ContactSystem<dim> &system, const Options &options, const StepObserver &observer);
 
-    /// From (0, 0) to force `peak`. The first point is the origin.
+    /// From no contact to force `peak`, in the virgin state or released again. The first point is
+    /// where the plane touches.
     /// @param peak_approach_guess guess of the plane's approach at the peak.
     /// @throws SolverError with the reason where the path ends early.
     std::vector<CurvePoint> load(double peak, double peak_approach_guess);

@@ -78,6 +78,10 @@ namespace dpcontact
                  "mesh-stretch",
                  mesh_stretch,
                  "from 0.5 to 2");
+    check_option(mesh_distortion >= 0 && mesh_distortion <= 0.3,
+                 "mesh-distortion",
+                 mesh_distortion,
+                 "from 0 to 0.3");
     check_option(loading_steps % 2 == 0 && loading_steps <= 4096,
                  "loading-steps",
                  loading_steps,
@@ -86,10 +90,10 @@ namespace dpcontact
                  "step-tolerance",
                  step_tolerance,
                  "above 0 and at most 1");
-    check_option(std::isfinite(penalty_stiffness) && penalty_stiffness > 0,
+    check_option(penalty_stiffness > 0 && penalty_stiffness <= 1e9,
                  "penalty-stiffness",
                  penalty_stiffness,
-                 "finite and positive");
+                 "above 0 and at most 1e9, beyond which the rounding of the gap moves the force");
   }
 
   Solution solve_contact(const Material      &material,

@@ -53,6 +53,8 @@ namespace dpcontact
     unsigned int                level         = 0; ///< uniform refinements of the whole mesh on top
     double                      domain_radius = 200; ///< far boundary, in contact radii
     double                      mesh_stretch = 1; ///< stretches the fitted mesh (similarity checks)
+    /// Interior vertices are moved at random by up to this share of an edge, for studies.
+    double       mesh_distortion = 0;
     unsigned int octaves  = 0;    ///< contacts down to 2^−octaves are resolved as well (zones.h)
     double step_tolerance = 2e-3; ///< stated accuracy of F(δ) in the load step, relative to F_max
     /// Loading steps of the finest run, for studies; 0: as many as step_tolerance needs.

@@ -14,7 +14,6 @@ namespace dpcontact::tests
   struct ContactProblem
   {
     dealii::Triangulation<2> mesh;
-    laws::DruckerPrager      law;
     Discretization<2>        space;
     ContactSystem<2>         system;
 
@@ -25,11 +24,24 @@ namespace dpcontact::tests
                    const unsigned int resolution,
                    const double       penalty_stiffness = 1e5,
                    const Element      element           = Element::serendipity_reduced)
-      : law{1 / (2 * (1 + nu)),
+      : ContactProblem(
+          laws::DruckerPrager{
+            1 / (2 * (1 + nu)),
             1 / (3 * (1 - 2 * nu)),
             laws::drucker_prager_alpha(friction_angle_deg * (M_PI / 180)),
-            laws::drucker_prager_strength(friction_angle_deg * (M_PI / 180), strength)}
-      , space(zoned(mesh, resolution), BoussinesqField<2>(1., nu), element)
+            laws::drucker_prager_strength(friction_angle_deg * (M_PI / 180), strength)},
+          nu,
+          resolution,
+          penalty_stiffness,
+          element)
+    {}
+
+    ContactProblem(const laws::Law   &law,
+                   const double       nu,
+                   const unsigned int resolution,
+                   const double       penalty_stiffness = 1e5,
+                   const Element      element           = Element::serendipity_reduced)
+      : space(zoned(mesh, resolution), BoussinesqField<2>(1., nu), element)
       , system(space, law, 1., penalty_stiffness)
     {}
 
@@ -57,7 +69,7 @@ namespace dpcontact::tests
           const auto position = static_cast<std::size_t>(k);
           const auto i        = static_cast<unsigned int>(A.row[position]);
           y[i] += A.value[position] * x[j];
-          if (i != j)
+          if (i != j && A.symmetric)
             y[j] += A.value[position] * x[i];
         }
     return y;

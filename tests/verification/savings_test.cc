@@ -25,14 +25,14 @@ namespace
   {
     const Scene  scene;
     const Solved all(material, scene);
-    const auto   stated = estimate_errors(all.fit, all.solution, scene);
+    const auto   stated = estimate_errors(all.fit, all.solution, material, scene);
     const auto   values = coefficients(all.fit);
     for (const auto &[name, switch_off] : savings)
       {
         SolverOptions options;
         switch_off(options);
         const Solved without(material, scene, options);
-        const auto   stated_without = estimate_errors(without.fit, without.solution, scene);
+        const auto   stated_without = estimate_errors(without.fit, without.solution, material, scene);
         const auto   values_without = coefficients(without.fit);
         for (unsigned int c = 0; c < 4; ++c)
           EXPECT_NEAR(
