@@ -245,6 +245,27 @@ namespace
     const auto integrals = system.commit();
     EXPECT_GE(integrals.apex_points, inner);
     EXPECT_LT(integrals.largest_yield_excess, 1e-12);
+
+    // Back to where it yielded first: elastic, without stress as half of the stretch has stayed; and
+    // to no stretch at all, under the pressure that this half takes.
+    for (const double share : {0.5, 0.})
+      {
+        system.u = interpolate<dim>(space, [stretch, share](const Point<dim> &p) {
+          return share * stretch * Tensor<1, dim>(p);
+        });
+        system.residual();
+        index = 0;
+        for (const auto &cell : space.cells())
+          for (std::size_t q = 0; q < cell.points.size(); ++q, ++index)
+            if (!follows_far_field(space, cell))
+              {
+                const auto excess = system.stresses()[index] - (2 * share - 1) * mean *
+                                                                 dealii::unit_symmetric_tensor<3>();
+                ASSERT_LT(excess.norm(), rounding * mean) << cell.points[q].position;
+              }
+        expect_equilibrium(system, false);
+        EXPECT_EQ(system.commit().apex_points, 0u);
+      }
   }
 
   template <int dim>
