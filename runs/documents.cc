@@ -60,6 +60,42 @@ namespace dpcontact
             {"ring_pressure", yield.ring_pressure}};
   }
 
+  namespace
+  {
+    Json region_json(const std::optional<PlasticRegion> &region)
+    {
+      if (!region)
+        return nullptr;
+      Json json = {{"radius_min", region->radius_min},
+                   {"radius_max", region->radius_max},
+                   {"depth_min", region->depth_min},
+                   {"depth_max", region->depth_max},
+                   {"volume", region->volume},
+                   {"cells", region->cells},
+                   {"surface", nullptr}};
+      if (region->surface)
+        json["surface"] = {{"radius_min", region->surface->radius_min},
+                           {"radius_max", region->surface->radius_max}};
+      return json;
+    }
+  } // namespace
+
+  Json plastic_zone_json(const std::optional<PlasticZone> &zone)
+  {
+    if (!zone)
+      return nullptr;
+    return {{"contact_radius", zone->contact_radius},
+            {"cell_size", zone->cell_size},
+            {"core", region_json(zone->core)},
+            {"ring", region_json(zone->ring)},
+            {"ring_parts", zone->ring_parts},
+            {"other_regions", zone->other_regions},
+            {"axis_depth_min", zone->axis_depth_min},
+            {"axis_depth_max", zone->axis_depth_max},
+            {"core_reaches_free_surface", zone->core_reaches_free_surface},
+            {"elastic_cap", zone->elastic_cap}};
+  }
+
   Json options_json(const SolverOptions &used)
   {
     const auto on_off = [](const bool value) { return value ? "on" : "off"; };

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace dpcontact
@@ -16,9 +17,11 @@ namespace dpcontact
   // numbers that are not finite become null.
 
   Json checks_json(const PathChecks &checks);
-  Json material_json(const Case &input);        ///< criterion, E, nu, phi_deg, sigma_c …
-  Json scene_json(const Case &input);           ///< radius, force_max
-  Json yield_json(const FirstYield &yield);     ///< force, approach, pressure, …
+  Json material_json(const Case &input);    ///< criterion, E, nu, phi_deg, sigma_c …
+  Json scene_json(const Case &input);       ///< radius, force_max
+  Json yield_json(const FirstYield &yield); ///< force, approach, pressure, …
+  /// Extents in m, null for what is not there; null where nothing was computed.
+  Json plastic_zone_json(const std::optional<PlasticZone> &zone);
   Json options_json(const SolverOptions &used); ///< by the names of the options
   Json fit_json(const Record &row);
   Json error_json(const Record &row);     ///< a, b, m, n and how well they fit

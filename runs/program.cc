@@ -30,6 +30,7 @@ namespace dpcontact
 
       commands::Action action;
       commands::add_yield(program, action);
+      commands::add_yield_surface(program, action);
       commands::add_solve(program, action);
       commands::add_converge(program, action);
       commands::add_sweep(program, action);

@@ -3,6 +3,7 @@
 #include "database/files.h"
 #include "database/schema.h"
 #include "meshing/errors.h"
+#include "solver/laws/point.h"
 
 #include <cerrno>
 #include <charconv>
@@ -75,6 +76,31 @@ namespace dpcontact
                text(point.radial_stress) + "\n";
       return csv;
     }
+
+    std::string points_csv(const std::vector<PointState> &points)
+    {
+      std::string csv =
+        "radius_m,depth_m,volume_m3,stress_rr_Pa,stress_zz_Pa,stress_tt_Pa,stress_rz_Pa,"
+        "principal_1_Pa,principal_2_Pa,principal_3_Pa,mises_stress_Pa,plastic_strain,branch\n";
+      for (const PointState &p : points)
+        {
+          for (const double value : {p.radius,
+                                     p.depth,
+                                     p.volume,
+                                     p.radial_stress,
+                                     p.axial_stress,
+                                     p.hoop_stress,
+                                     p.shear_stress,
+                                     p.principal_stress[0],
+                                     p.principal_stress[1],
+                                     p.principal_stress[2],
+                                     p.mises_stress,
+                                     p.plastic_strain})
+            csv += text(value) + ",";
+          csv += std::string(laws::to_string(p.branch)) + "\n";
+        }
+      return csv;
+    }
   } // namespace
 
   void make_result_directory(const std::filesystem::path &directory)
@@ -95,6 +121,7 @@ namespace dpcontact
     write_file(directory / "curve.csv", curve_csv(solution.curve));
     write_file(directory / "profile.csv", profile_csv(solution.peak_profile));
     write_file(directory / "axis.csv", axis_csv(solution.peak_axis));
+    write_file(directory / "points.csv", points_csv(solution.peak_points));
     std::ostringstream mesh;
     print(solution.mesh_quality, mesh);
     write_file(directory / "mesh.txt", mesh.str());

@@ -122,6 +122,8 @@ namespace dpcontact
 
     const std::vector<State>  &point_history() const { return history; }
     const std::vector<double> &accumulated_plastic_strain() const { return accumulated; }
+    /// Branches of the yield surface in the step last evaluated, at all quadrature points.
+    const std::vector<laws::Branch> &branches() const { return branch; }
     /// Stresses at all quadrature points (cell by cell) at the state last evaluated.
     const std::vector<laws::StressTensor> &stresses() const { return stress; }
     const Discretization<dim>             &discretization() const { return space; }

@@ -153,6 +153,35 @@ namespace dpcontact
     return profile;
   }
 
+  std::vector<PointState> point_states(const ContactSystem<2> &system,
+                                       const double            length,
+                                       const double            displacement,
+                                       const double            stress)
+  {
+    std::vector<PointState> states;
+    std::size_t             index = 0;
+    for (const auto &cell : system.discretization().cells())
+      for (const auto &point : cell.points)
+        {
+          const laws::StressTensor sigma = stress * system.stresses()[index];
+          PointState               state;
+          state.radius           = point.position[0] * length;
+          state.depth            = -point.position[1] * length;
+          state.volume           = point.weight * length * length * length;
+          state.radial_stress    = sigma[0][0];
+          state.axial_stress     = sigma[1][1];
+          state.hoop_stress      = sigma[2][2];
+          state.shear_stress     = sigma[0][1];
+          state.principal_stress = dealii::eigenvalues(sigma);
+          state.mises_stress     = mises(sigma);
+          state.plastic_strain = displacement / length * system.accumulated_plastic_strain()[index];
+          state.branch         = system.branches()[index];
+          states.push_back(state);
+          ++index;
+        }
+    return states;
+  }
+
   template void
   write_fields<2>(const ContactSystem<2> &, double, double, double, const std::string &);
   template void

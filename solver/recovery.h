@@ -23,6 +23,11 @@ namespace dpcontact
   /// Stresses on the axis r = 0 from the surface downwards, by the same linear recovery, each value
   /// at the end of a cell's edge and the mean of the cells that meet there. In the system's units.
   std::vector<AxisPoint> axis_profile(const ContactSystem<2> &system);
+
+  /// The state at every quadrature point as last evaluated and committed, in SI units.
+  /// @param length, displacement, stress factors from the system's units to SI.
+  std::vector<PointState>
+  point_states(const ContactSystem<2> &system, double length, double displacement, double stress);
 } // namespace dpcontact
 
 #endif

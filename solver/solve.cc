@@ -153,6 +153,11 @@ namespace dpcontact
         solution.peak_axis.push_back({depth * model.units().length,
                                       axial * model.units().stress,
                                       radial * model.units().stress});
+      solution.plastic_zone = plastic_zone(model.system(), model.units().length);
+      solution.flow_zone    = plastic_zone(model.system(), model.units().length, ZoneRule::flowing);
+      if (!fields_directory.empty())
+        solution.peak_points = point_states(
+          model.system(), model.units().length, model.units().displacement, model.units().stress);
       write("peak.vtu");
     };
 

@@ -6,8 +6,10 @@
 #include "solver/curve.h"
 #include "solver/element.h"
 #include "solver/first_yield.h"
+#include "solver/plastic_zone.h"
 #include "solver/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -16,6 +18,11 @@
 
 namespace dpcontact
 {
+  namespace laws
+  {
+    enum class Branch : unsigned char; // laws/point.h, which only the solver and its tests need
+  }
+
   /// Raised by one with every change that moves computed numbers: rows of different methods do not
   /// mix in one database.
   constexpr int method_version = 2;
@@ -89,6 +96,18 @@ namespace dpcontact
     double radial_stress; ///< σ_r = σ_θ, Pa
   };
 
+  /// State of a material point, stresses tension positive.
+  struct PointState
+  {
+    double                radius, depth; ///< m
+    double                volume;        ///< share of one sphere's volume that it stands for, m³
+    double                radial_stress, axial_stress, hoop_stress, shear_stress; ///< Pa
+    std::array<double, 3> principal_stress; ///< σ₁ ≥ σ₂ ≥ σ₃, Pa
+    double                mises_stress;     ///< Pa
+    double                plastic_strain;   ///< accumulated, ∫ √(2/3) |dεᵖ|
+    laws::Branch          branch;           ///< of the load step that led here
+  };
+
   /// What a curve cost.
   struct Cost
   {
@@ -108,7 +127,11 @@ namespace dpcontact
     Curve         curve;
     std::vector<PressurePoint> peak_profile; ///< contact pressure at F_max
     std::vector<AxisPoint>     peak_axis;    ///< stresses on the axis at F_max
-    double step_error = 0; ///< estimated error of F(δ) in the load step, over F_max
+    std::vector<PointState>    peak_points;  ///< at F_max; empty unless fields are asked for
+    std::optional<PlasticZone>
+      plastic_zone; ///< yielded up to F_max; unset where Hertz's form was used
+    std::optional<PlasticZone> flow_zone; ///< yielding at F_max; likewise
+    double step_error = 0;                ///< estimated error of F(δ) in the load step, over F_max
     /// The curve with one halving of the load steps less: how far apart both are tells the error
     /// that the load step leaves in a coefficient. Equal to `curve` where it has no such error.
     Curve                    coarser_steps;

@@ -16,6 +16,7 @@ namespace dpcontact::commands
 
   /// Each adds one subcommand that sets `action` when it is chosen.
   void add_yield(CLI::App &program, Action &action);
+  void add_yield_surface(CLI::App &program, Action &action);
   void add_solve(CLI::App &program, Action &action);
   void add_converge(CLI::App &program, Action &action);
   void add_compare(CLI::App &program, Action &action);

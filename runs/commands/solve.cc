@@ -25,7 +25,7 @@ namespace dpcontact::commands
     const Setting output{
       "output",
       Setting::Kind::text,
-      "directory for fields (VTU), curve and profile (CSV) and the result (JSON)"};
+      "directory for fields (VTU), curve, profile and points (CSV) and the result (JSON)"};
 
     /// Says on a terminal how far the solver is.
     void report_step(const char *stage, const double fraction, const int newton_iterations)
@@ -52,6 +52,8 @@ namespace dpcontact::commands
                 {"pressure", row.pressure_peak_Pa},
                 {"plastic_strain", row.plastic_strain_max}}},
               {"residual_approach", row.approach_residual_m},
+              {"plastic_zone", plastic_zone_json(solution.plastic_zone)},
+              {"flow_zone", plastic_zone_json(solution.flow_zone)},
               {"plastic_volume", row.plastic_volume_m3},
               {"dissipated_energy", row.dissipated_energy_J},
               {"apex_points", row.apex_points},

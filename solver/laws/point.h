@@ -25,6 +25,36 @@ namespace dpcontact::laws
     extension_corner    ///< extension edge and cut-off
   };
 
+  inline const char *to_string(const Branch branch)
+  {
+    switch (branch)
+      {
+        case Branch::elastic:
+          return "elastic";
+        case Branch::regular:
+          return "regular";
+        case Branch::compression_edge:
+          return "compression-edge";
+        case Branch::extension_edge:
+          return "extension-edge";
+        case Branch::apex:
+          return "apex";
+        case Branch::cutoff:
+          return "cutoff";
+        case Branch::cutoff_edge:
+          return "cutoff-edge";
+        case Branch::cutoff_apex:
+          return "cutoff-apex";
+        case Branch::corner:
+          return "corner";
+        case Branch::compression_corner:
+          return "compression-corner";
+        case Branch::extension_corner:
+          return "extension-corner";
+      }
+    return "";
+  }
+
   /// What a material point remembers.
   struct State
   {

@@ -1,5 +1,6 @@
 """The command line: documents, messages and exit codes that need no computation of a curve."""
 
+import csv
 import json
 import math
 import subprocess
@@ -84,6 +85,49 @@ class Yield(program.TestCase):
         self.assertEqual(result.returncode, FILE)
 
 
+class YieldSurface(program.TestCase):
+    ROCK = ["--phi", "30", "--sigma-c", "10MPa"]
+
+    def points(self, *arguments):
+        return self.document("yield-surface", *arguments)["points"]
+
+    def test_cone(self):
+        # alpha = 2 sin(phi)/(sqrt(3)(3 - sin(phi))), k = sigma_c (1 - sqrt(3) alpha)/sqrt(3)
+        alpha = 0.4 / math.sqrt(3)
+        k = 10e6 * 0.6 / math.sqrt(3)
+        for plane in ["meridional", "deviatoric"]:
+            for p in self.points(*self.ROCK, "--plane", plane, "--points", 7, "--pressure", "20MPa"):
+                self.assertAlmostEqual((p["sqrt_j2_Pa"] + alpha * p["i1_Pa"]) / k, 1, places=9)
+                self.assertAlmostEqual(p["i1_Pa"], -3 * p["pressure_Pa"], places=3)
+
+    def test_pyramid_and_cylinder(self):
+        # sigma_max (1 + sin(phi)) - sigma_min (1 - sin(phi)) = (1 - sin(phi)) sigma_c
+        for p in self.points("--criterion", "mohr-coulomb", *self.ROCK, "--plane", "deviatoric"):
+            stresses = [p[f"sigma_{i}_Pa"] for i in (1, 2, 3)]
+            self.assertAlmostEqual((1.5 * max(stresses) - 0.5 * min(stresses)) / 5e6, 1, places=8)
+        for p in self.points("--criterion", "von-mises", "--yield-stress", "6MPa"):
+            self.assertAlmostEqual(p["sqrt_j2_Pa"] * math.sqrt(3) / 6e6, 1, places=9)
+
+    def test_csv_is_the_document(self):
+        lines = self.succeed("yield-surface", *self.ROCK, "--points", 3).stdout.splitlines()
+        points = self.points(*self.ROCK, "--points", 3)
+        self.assertEqual(lines[0].split(","), list(points[0]))
+        self.assertEqual(len(lines), 1 + len(points))
+        self.assertAlmostEqual(float(lines[-1].split(",")[3]) / points[-1]["sqrt_j2_Pa"], 1, places=10)
+
+    def test_elastic_constants_have_no_part_in_it(self):
+        self.assertEqual(self.points(*self.ROCK), self.points(*self.ROCK, "--E", "3GPa", "--nu", "0.4"))
+
+    def test_bad_input(self):
+        for arguments, word in [(["--plane", "octahedral"], "octahedral"), (["--pressure", "5N"], "5N"),
+                                (["--pressure", "-1MPa"], "pressure"), (["--points", "1"], "points"),
+                                (["--plane", "deviatoric", "--pressure", "-6MPa"], "-5 MPa"),
+                                (["--hardening", "-1"], "hardening")]:
+            with self.subTest(arguments=arguments):
+                self.assertIn(word, self.fail_with(BAD_INPUT, "yield-surface", *self.ROCK, *arguments))
+        self.assertIn("sigma-c", self.fail_with(BAD_INPUT, "yield-surface", "--phi", "30"))
+
+
 class Solve(program.TestCase):
     COARSE = ["--resolution", "12", "--step-tolerance", "1e-2"]
 
@@ -123,6 +167,39 @@ class Solve(program.TestCase):
         branches = [line.split(",")[0] for line in curve[1:]]
         self.assertEqual(set(branches), {"loading", "unloading"})
 
+    def test_points_and_plastic_zone(self):
+        found = self.document("solve", *TYPE_1, *self.COARSE, "--output", "results")
+        with open(self.directory / "results" / "points.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        points = [{key: float(text) for key, text in row.items() if key != "branch"} for row in rows]
+        for point in points:
+            s1, s2, s3 = (point[f"principal_{i}_Pa"] for i in (1, 2, 3))
+            self.assertGreaterEqual(s1, s2)
+            self.assertGreaterEqual(s2, s3)
+            trace = point["stress_rr_Pa"] + point["stress_zz_Pa"] + point["stress_tt_Pa"]
+            self.assertAlmostEqual(s1 + s2 + s3, trace, delta=1e-3 + 1e-9 * abs(s3))
+            mises = math.sqrt(((s1 - s2) ** 2 + (s2 - s3) ** 2 + (s3 - s1) ** 2) / 2)
+            self.assertAlmostEqual(point["mises_stress_Pa"], mises, delta=1e-3 + 1e-9 * mises)
+        self.assertLessEqual({row["branch"] for row in rows}, {"elastic", "regular", "apex"})
+        self.assertIn("regular", {row["branch"] for row in rows})
+
+        # The last loading point of the curve is the state of the points.
+        with open(self.directory / "results" / "curve.csv", newline="", encoding="utf-8") as file:
+            peak = [row for row in csv.DictReader(file) if row["branch"] == "loading"][-1]
+        volume = sum(p["volume_m3"] for p in points if p["plastic_strain"] > 0)
+        self.assertAlmostEqual(volume / float(peak["plastic_volume_m3"]), 1, delta=0.05)
+
+        zone, flow = found["plastic_zone"], found["flow_zone"]
+        self.assertGreater(zone["core"]["volume"], 0)
+        self.assertTrue(zone["elastic_cap"])
+        self.assertLessEqual(flow["core"]["volume"], zone["core"]["volume"])
+        self.assertLess(zone["axis_depth_min"], zone["axis_depth_max"])
+
+    def test_closed_form_has_no_plastic_zone(self):
+        found = self.document("solve", "--E", "10GPa", "--nu", "0.2", "--phi", "30", "--sigma-c", "1GPa")
+        self.assertIsNone(found["plastic_zone"])
+        self.assertIsNone(found["flow_zone"])
+
     def test_large_contact_is_warned_of(self):
         # Hertz: a/R = 0.19, where small strain ends at 0.1
         result = self.succeed("solve", "--E", "1GPa", "--nu", "0.2", "--phi", "30", "--sigma-c",
@@ -142,7 +219,7 @@ class Usage(program.TestCase):
                 self.assertNotEqual(result.stderr, "")
 
     def test_help_and_version(self):
-        for command in ["yield", "solve", "sweep", "fit", "export"]:
+        for command in ["yield", "yield-surface", "solve", "sweep", "fit", "export"]:
             self.assertIn(command, self.succeed("--help").stdout)
             self.assertIn("--json", self.succeed(command, "--help").stdout)
         version = self.run_program("--version")

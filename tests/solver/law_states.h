@@ -55,12 +55,6 @@ namespace dpcontact::tests
     return t;
   }
 
-  inline StressTensor elastic_stress(const DruckerPrager &law, const StressTensor &strain)
-  {
-    return 2 * law.shear_modulus * dealii::deviator(strain) +
-           law.bulk_modulus * dealii::trace(strain) * dealii::unit_symmetric_tensor<3>();
-  }
-
   inline StressTensor elastic_strain(const DruckerPrager &law, const StressTensor &stress)
   {
     return dealii::deviator(stress) / (2 * law.shear_modulus) +
