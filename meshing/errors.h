@@ -17,7 +17,7 @@ namespace dpcontact
     solver            = 5, ///< the computation did not reach its goal
     settings_mismatch = 6, ///< stored results were made with other settings
     corrupt_data      = 7, ///< a stored file is damaged or not ours
-    incomplete        = 8  ///< a sweep ended with failed or missing rows
+    incomplete = 8 ///< a sweep ended with failed or missing rows, or a hard case unlike expected
   };
 
   /// Base of everything that dpcontact throws on purpose. `what()` says what, where and what to do.
@@ -37,19 +37,25 @@ namespace dpcontact
   /// A value outside its range or of the wrong type.
   struct InputError : Error
   {
-    explicit InputError(const std::string &message) : Error(ExitCode::bad_input, message) {}
+    explicit InputError(const std::string &message)
+      : Error(ExitCode::bad_input, message)
+    {}
   };
 
   /// A file that is missing, unreadable or cannot be written.
   struct FileError : Error
   {
-    explicit FileError(const std::string &message) : Error(ExitCode::file, message) {}
+    explicit FileError(const std::string &message)
+      : Error(ExitCode::file, message)
+    {}
   };
 
   /// The computation did not reach its goal; the message holds the reason.
   struct SolverError : Error
   {
-    explicit SolverError(const std::string &message) : Error(ExitCode::solver, message) {}
+    explicit SolverError(const std::string &message)
+      : Error(ExitCode::solver, message)
+    {}
   };
 
   /// Stored results were made with other settings; the message prints both values.
@@ -63,7 +69,9 @@ namespace dpcontact
   /// A stored file is damaged, truncated or foreign.
   struct CorruptData : Error
   {
-    explicit CorruptData(const std::string &message) : Error(ExitCode::corrupt_data, message) {}
+    explicit CorruptData(const std::string &message)
+      : Error(ExitCode::corrupt_data, message)
+    {}
   };
 } // namespace dpcontact
 

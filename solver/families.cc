@@ -194,11 +194,7 @@ namespace dpcontact
           member.material.check();
           member.scene.check();
           const Material &first = members.front().material;
-          if (member.material.criterion != Criterion::drucker_prager ||
-              member.material.hardening != 0)
-            throw InputError(
-              "families need perfectly plastic drucker-prager: others bring groups of "
-              "their own (H/E, T0/sigma_c); use mode = direct");
+          check_similar(member.material);
           if (member.material.poisson_ratio != first.poisson_ratio ||
               member.material.friction_angle != first.friction_angle ||
               member.material.flow_stress_ratio != first.flow_stress_ratio ||
@@ -207,6 +203,13 @@ namespace dpcontact
         }
     }
   } // namespace
+
+  void check_similar(const Material &material)
+  {
+    if (material.criterion != Criterion::drucker_prager || material.hardening != 0)
+      throw InputError("families need perfectly plastic drucker-prager: other laws bring groups of "
+                       "their own (H/E, T0/sigma-c); use mode = direct");
+  }
 
   std::vector<Solution> solve_family(const std::vector<FamilyMember> &members,
                                      const SolverOptions             &options,

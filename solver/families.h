@@ -14,7 +14,11 @@ namespace dpcontact
     Scene    scene;
   };
 
-  /// Computes all scenes of a similarity family (model section 4): with equal ν and φ, F/F_y
+  /// @throws InputError unless the material's scenes are similar for equal ν, φ, K, ψ and Λ:
+  /// perfectly plastic Drucker–Prager.
+  void check_similar(const Material &material);
+
+  /// Computes all scenes of a similarity family (model section 4): with equal ν, φ, K and ψ, F/F_y
   /// depends on δ/δ_y alone while loading, and on Λ = F_max/F_y besides while unloading. So one
   /// loading path serves all members whose contact its mesh resolves, each unloaded from its own Λ.
   ///
@@ -28,8 +32,8 @@ namespace dpcontact
   /// do not follow its step_tolerance, `step_error` says what they left. `cost` of a member is its
   /// share of the family's.
   /// @return one solution a member, in SI units; `peak_axis` and `mesh_quality` are left out.
-  /// @throws InputError where members differ in ν or φ, or a value is out of range; SolverError where a path
-  /// cannot be completed.
+  /// @throws InputError where members differ in ν, φ, K or ψ, or as check_similar(), or a value is out of
+  /// range; SolverError where a path cannot be completed.
   std::vector<Solution> solve_family(const std::vector<FamilyMember> &members,
                                      const SolverOptions             &options,
                                      const StepObserver              &observer = {});

@@ -3,6 +3,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/documents.h"
+#include "solver/families.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,6 +65,9 @@ namespace dpcontact::commands
             if (setting.name == mode->first)
               setting.check(mode->second);
           sweep.mode = mode->second == "families" ? SweepMode::families : SweepMode::direct;
+          if (sweep.mode == SweepMode::families)
+            for (const Case &input : sweep.cases)
+              check_similar(input.material);
         }
 
       const auto jobs = texts.find("jobs");

@@ -296,6 +296,13 @@ class Criteria(program.TestCase):
         self.assertIn("T0", self.fail_with(BAD_INPUT, "yield", *self.PYRAMID, "--sigma-c", "1MPa",
                                            "--tension-cutoff", "-1MPa"))
 
+    def test_families_of_other_laws_are_refused(self):
+        path = self.write("rocks.prm", "set E = 10GPa\nset nu = 0.2\nset phi = 30\n"
+                          "set sigma-c = 10MPa\nset criterion = mohr-coulomb\n")
+        self.assertEqual(len(self.document("sweep", path, "--dry-run")["rows"]), 1)
+        self.assertIn("mode = direct",
+                      self.fail_with(BAD_INPUT, "sweep", path, "--mode", "families", "--dry-run"))
+
     def test_a_sweep_takes_lists(self):
         path = self.write("rocks.prm", "set E = 10GPa\nset nu = 0.2\nset phi = 30\n"
                           "set sigma-c = 10MPa\nset dilation = 0, 15, 30\n"
