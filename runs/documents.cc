@@ -3,6 +3,7 @@
 #include "runs/row.h"
 #include "solver/laws/mohr_coulomb.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace dpcontact
@@ -33,6 +34,20 @@ namespace dpcontact
   Json scene_json(const Case &input)
   {
     return {{"radius", input.scene.radius}, {"force_max", input.scene.force_max}};
+  }
+
+  std::string describe_checks(const PathChecks &checks)
+  {
+    if (checks.largest_work == 0)
+      return "";
+    const auto number = [](const double value) {
+      return format_quantity(value, Dimension::number);
+    };
+    return "checks    residual " + number(checks.residual) + ", yield exceeded by " +
+           number(std::max(0., checks.yield_excess)) + " of the strength, contact violated by " +
+           number(checks.penetration) + " of the approach, energy balance " +
+           number(checks.energy_error / checks.largest_work) +
+           " of the work (backward Euler's gap " + number(checks.energy_gap()) + ")\n";
   }
 
   Json checks_json(const PathChecks &checks)

@@ -16,10 +16,12 @@ namespace dpcontact
   // Parts of the documents that --json prints. SI units, angles in degrees, approaches mutual;
   // numbers that are not finite become null.
 
-  Json checks_json(const PathChecks &checks);
-  Json material_json(const Case &input);    ///< criterion, E, nu, phi_deg, sigma_c …
-  Json scene_json(const Case &input);       ///< radius, force_max
-  Json yield_json(const FirstYield &yield); ///< force, approach, pressure, …
+  /// A line that says what every converged state was held to; empty where Hertz's form was used.
+  std::string describe_checks(const PathChecks &checks);
+  Json        checks_json(const PathChecks &checks);
+  Json        material_json(const Case &input);    ///< criterion, E, nu, phi_deg, sigma_c …
+  Json        scene_json(const Case &input);       ///< radius, force_max
+  Json        yield_json(const FirstYield &yield); ///< force, approach, pressure, …
   /// Extents in m, null for what is not there; null where nothing was computed.
   Json plastic_zone_json(const std::optional<PlasticZone> &zone);
   Json options_json(const SolverOptions &used); ///< by the names of the options

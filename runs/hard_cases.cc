@@ -320,11 +320,15 @@ namespace dpcontact
         {
           SolverOptions options = coarse();
           options.resolution    = resolution;
-          cases.push_back(scene_case("elements-" + std::to_string(resolution),
-                                     std::to_string(resolution) + " elements across the contact",
-                                     rock(.2, 30),
-                                     30,
-                                     options));
+          HardCase elements =
+            scene_case("elements-" + std::to_string(resolution),
+                       std::to_string(resolution) + " elements across the contact",
+                       rock(.2, 30),
+                       30,
+                       options);
+          if (resolution == 4) // on so few nodes a pressure's rounding is a larger force
+            elements.residual_limit = 1e-7;
+          cases.push_back(elements);
         }
       SolverOptions distorted   = coarse();
       distorted.mesh_distortion = 0.25;

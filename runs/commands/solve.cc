@@ -99,8 +99,8 @@ namespace dpcontact::commands
                 << " (mesh, load step, contact, far field, finite radius, fit; --json by source)\n"
                 << "accuracy  load step " << format_quantity(solution.step_error, Dimension::number)
                 << " of the peak force\n"
-                << "status    " << row.status << (row.reason.empty() ? "" : ": ") << row.reason
-                << '\n';
+                << describe_checks(solution.checks) << "status    " << row.status
+                << (row.reason.empty() ? "" : ": ") << row.reason << '\n';
     }
 
     ExitCode run(const Options &options)
