@@ -16,15 +16,19 @@ namespace dpcontact
   }         // namespace
 
   template <int dim>
-  ContactSystem<dim>::ContactSystem(const Discretization<dim> &discretization,
-                                    const laws::Law           &law_,
-                                    const Profile             &profile,
-                                    const double               penalty_stiffness,
-                                    const bool                 condensed)
+  ContactSystem<dim>::ContactSystem(const Discretization<dim>    &discretization,
+                                    const std::vector<laws::Law> &laws_,
+                                    const Profile                &profile,
+                                    const double                  penalty_stiffness,
+                                    const bool                    condensed,
+                                    const LinearSolver            kind_)
     : u(discretization.n_free(), 0.)
     , space(discretization)
-    , law(law_)
-    , symmetric(laws::associated(law_))
+    , laws(laws_)
+    , kind(kind_)
+    , symmetric(std::all_of(laws_.begin(),
+                            laws_.end(),
+                            [](const laws::Law &law) { return laws::associated(law); }))
     , contact_condition(discretization, profile, penalty_stiffness)
     , rhs(discretization.n_free())
     , approach_derivative(discretization.n_free())
@@ -63,6 +67,8 @@ namespace dpcontact
     core_radii.push_back(std::numeric_limits<double>::infinity());
     cores.resize(core_radii.size());
     use_core(0);
+    if (!condensed)
+      elastic_blocks = {}; // no other core will ask for them
   }
 
   template <int dim>
@@ -71,7 +77,7 @@ namespace dpcontact
     stage = stage_;
     if (!cores[stage])
       cores[stage] =
-        std::make_unique<Core<dim>>(space, elastic_blocks, core_radii[stage], symmetric);
+        std::make_unique<Core<dim>>(space, elastic_blocks, core_radii[stage], symmetric, kind);
     core = cores[stage].get();
     contact_condition.limit_to(core->n_faces);
   }
@@ -108,7 +114,7 @@ namespace dpcontact
       for (std::size_t q = 0; q < space.cells()[c].points.size(); ++q)
         if (branch[first_point[c] + q] != Branch::elastic)
           result = std::max(result, space.cells()[c].points[q].position.norm());
-    return result;
+    return space.communicator().max(result);
   }
 
   template <int dim>
@@ -192,13 +198,20 @@ namespace dpcontact
   template <int dim>
   void ContactSystem<dim>::build_elastic_stiffness()
   {
-    TangentMatrix elastic;
-    restrict_tangent<dim>(laws::evaluate(law, State(), laws::StressTensor()).tangent, elastic);
+    elastic_tangent.resize(laws.size());
+    for (std::size_t b = 0; b < laws.size(); ++b)
+      restrict_tangent<dim>(laws::evaluate(laws[b], State(), laws::StressTensor()).tangent,
+                            elastic_tangent[b]);
     elastic_blocks.resize(space.cells().size());
     for (std::size_t c = 0; c < space.cells().size(); ++c)
-      cell_block(
-        space.cells()[c], [&elastic](unsigned int) { return &elastic; }, true, elastic_blocks[c]);
-    elastic_tangent = elastic;
+      {
+        const auto &cell = space.cells()[c];
+        cell_block(
+          cell,
+          [this, &cell](unsigned int) { return &elastic_tangent[cell.body]; },
+          true,
+          elastic_blocks[c]);
+      }
   }
 
   template <int dim>
@@ -248,16 +261,17 @@ namespace dpcontact
             for (unsigned int s = 0; s < n_strains; ++s)
               strain[s] += value * point.strain[i][s];
           }
-        const auto response = laws::evaluate(law, history[index], strain_tensor<dim>(strain));
-        trial[index]        = response.state;
-        branch[index]       = response.branch;
-        stress[index]       = response.stress;
+        const auto response =
+          laws::evaluate(laws[cell.body], history[index], strain_tensor<dim>(strain));
+        trial[index]  = response.state;
+        branch[index] = response.branch;
+        stress[index] = response.stress;
         if (response.branch != Branch::elastic)
           {
             restrict_tangent<dim>(response.tangent, tangents[index]);
             for (unsigned int s = 0; s < n_strains; ++s)
               for (unsigned int t = 0; t < n_strains; ++t)
-                tangents[index][s][t] -= elastic_tangent[s][t];
+                tangents[index][s][t] -= elastic_tangent[cell.body][s][t];
           }
         ++index;
       }
@@ -292,6 +306,7 @@ namespace dpcontact
               }
           }
       }
+    space.communicator().sum(rhs);
     core->add_exterior_force(u, rhs);
 
     contact_blocks.clear();
@@ -301,6 +316,8 @@ namespace dpcontact
       rhs,
       approach_derivative,
       [this](const unsigned int face, const std::vector<double> &value, const double k) {
+        if (core->surface_positions[face].empty())
+          return; // another process adds it
         if (contact_blocks.empty() || contact_blocks.back().first != face)
           contact_blocks.emplace_back(face,
                                       std::vector<double>(core->surface_positions[face].size()));
@@ -330,7 +347,7 @@ namespace dpcontact
         if (share > 0)
           for (std::size_t e = 0; e < core->matrix.value.size(); ++e)
             core->matrix.value[e] += share * core->elastic_values[e];
-        if (core->solver->factorize(core->matrix) && solve_for_step() && slope() < 0)
+        if (core->factorize() && solve_for_step() && slope() < 0)
           return true;
       }
     return false;
@@ -339,12 +356,16 @@ namespace dpcontact
   template <int dim>
   bool ContactSystem<dim>::solve_for_step()
   {
-    solve(rhs, -1, step);
     approach_step = 0;
+    ++n_linear_solves;
+    if (!core->solve(rhs, -1, step))
+      return false;
     if (control != Control::force)
       return true;
     // [K  r_d; r_dᵀ F_d] [Δu; Δd] = [−r; F* − F], by elimination of Δu.
-    solve(approach_derivative, 1, step_per_approach);
+    ++n_linear_solves;
+    if (!core->solve(approach_derivative, 1, step_per_approach))
+      return false;
     double along = 0, stiffness = contact_response.force_stiffness;
     for (std::size_t i = 0; i < step.size(); ++i)
       {
@@ -357,21 +378,6 @@ namespace dpcontact
     for (std::size_t i = 0; i < step.size(); ++i)
       step[i] -= approach_step * step_per_approach[i];
     return true;
-  }
-
-  template <int dim>
-  void ContactSystem<dim>::solve(const std::vector<double> &b,
-                                 const double               factor,
-                                 std::vector<double>       &x)
-  {
-    const auto &unknowns = core->unknowns;
-    core_rhs.resize(unknowns.size());
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-      core_rhs[i] = factor * b[unknowns[i]];
-    core->solver->solve(core_rhs, core_solution);
-    std::fill(x.begin(), x.end(), 0.);
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-      x[unknowns[i]] = core_solution[i];
   }
 
   template <int dim>
@@ -421,14 +427,15 @@ namespace dpcontact
   template <int dim>
   typename ContactSystem<dim>::Integrals ContactSystem<dim>::commit()
   {
-    Integrals    result;
-    std::size_t  index = 0;
-    const double shear = laws::shear_modulus(law), bulk = laws::bulk_modulus(law);
+    Integrals   result;
+    std::size_t index = 0;
     for (const auto &cell : space.cells())
       for (const auto &point : cell.points)
         {
-          const auto &sigma = stress[index];
-          const auto  flow  = trial[index].plastic_strain - history[index].plastic_strain;
+          const laws::Law &law   = laws[cell.body];
+          const double     shear = laws::shear_modulus(law), bulk = laws::bulk_modulus(law);
+          const auto      &sigma = stress[index];
+          const auto       flow  = trial[index].plastic_strain - history[index].plastic_strain;
           result.dissipation += point.weight * (sigma * flow);
           result.mean_dissipation +=
             point.weight * ((committed_stress[index] * flow + sigma * flow) / 2);
@@ -449,8 +456,23 @@ namespace dpcontact
                      laws::yield_excess(law, sigma, trial[index].hardening_variable));
           ++index;
         }
-    const double far = u[space.far_unknown()];
-    result.elastic_energy += space.exterior_stiffness() * far * far / 2;
+    const Communicator &processes = space.communicator();
+    double              apex      = result.apex_points;
+    for (double *const total : {&result.dissipation,
+                                &result.mean_dissipation,
+                                &result.elastic_energy,
+                                &result.plastic_volume,
+                                &apex})
+      *total = processes.sum(*total);
+    for (double *const largest :
+         {&result.mises_stress_max, &result.plastic_strain_max, &result.largest_yield_excess})
+      *largest = processes.max(*largest);
+    result.apex_points = static_cast<unsigned int>(apex);
+    for (unsigned int b = 0; b < space.n_bodies(); ++b)
+      {
+        const double far = u[space.far_unknown(b)];
+        result.elastic_energy += space.exterior_stiffness(b) * far * far / 2;
+      }
     const auto surface = contact_condition.state(u, approach);
     result.work        = contact_condition.work(committed_surface, surface);
     committed_surface  = surface;

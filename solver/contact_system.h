@@ -11,7 +11,8 @@
 
 namespace dpcontact
 {
-  /// Equilibrium of one half-space under the mirror plane: residual, tangent, history.
+  /// Equilibrium of one half-space under the mirror plane, or of two that are pressed together:
+  /// residual, tangent, history.
   ///
   /// Unknowns are the free displacements u and the plane's approach d; one scalar equation closes
   /// the system, either d = given or F(u, d) = given. The tangent is that of everything: material
@@ -44,7 +45,7 @@ namespace dpcontact
       typename Contact<dim>::Surface  surface;
     };
 
-    /// Integrals over the body at the state last evaluated, of one sphere.
+    /// Integrals over the bodies at the state last evaluated.
     struct Integrals
     {
       double       plastic_volume       = 0;
@@ -60,11 +61,25 @@ namespace dpcontact
 
     /// @param condensed solve for a core that grows with contact and plastic zone (core.h), the rest
     /// condensed; otherwise for the whole body.
+    /// @param laws of every body of the discretization.
+    /// @param profile the undeformed gap between what touches.
+    ContactSystem(const Discretization<dim>    &discretization,
+                  const std::vector<laws::Law> &laws,
+                  const Profile                &profile,
+                  double                        penalty_stiffness,
+                  bool                          condensed = false,
+                  LinearSolver                  kind      = LinearSolver::direct);
     ContactSystem(const Discretization<dim> &discretization,
                   const laws::Law           &law,
                   const Profile             &profile,
                   double                     penalty_stiffness,
-                  bool                       condensed = false);
+                  bool                       condensed = false)
+      : ContactSystem(discretization,
+                      std::vector<laws::Law>{law},
+                      profile,
+                      penalty_stiffness,
+                      condensed)
+    {}
 
     /// To be called on a converged step before commit(): brings what lies outside the core to
     /// equilibrium. @return false where it yields or touches there: then the core must grow() and
@@ -127,7 +142,10 @@ namespace dpcontact
     /// Stresses at all quadrature points (cell by cell) at the state last evaluated.
     const std::vector<laws::StressTensor> &stresses() const { return stress; }
     const Discretization<dim>             &discretization() const { return space; }
-    const laws::Law                       &material() const { return law; }
+    const std::vector<laws::Law>          &materials() const { return laws; }
+    /// Iterations of an iterative linear solver, over how many systems.
+    unsigned int linear_iterations() const { return core->linear_iterations(); }
+    unsigned int linear_solves() const { return n_linear_solves; }
 
   private:
     void build_elastic_stiffness();
@@ -145,8 +163,10 @@ namespace dpcontact
                     std::vector<double>                      &block) const;
 
     const Discretization<dim>      &space;
-    laws::Law                       law;
+    std::vector<laws::Law>          laws; ///< of each body
+    LinearSolver                    kind;
     bool                            symmetric; ///< tangent
+    unsigned int                    n_linear_solves = 0;
     Contact<dim>                    contact_condition;
     typename Contact<dim>::Response contact_response;
 
@@ -162,9 +182,9 @@ namespace dpcontact
     std::size_t                             stage = 0;
     Core<dim>                              *core  = nullptr; ///< the present one
 
-    TangentMatrix                    elastic_tangent{};
-    std::vector<std::vector<double>> elastic_blocks; ///< of every cell
-    std::vector<unsigned int>        first_point;    ///< of every cell
+    std::vector<TangentMatrix>       elastic_tangent; ///< of each body
+    std::vector<std::vector<double>> elastic_blocks;  ///< of every cell
+    std::vector<unsigned int>        first_point;     ///< of every cell
     /// Of the points off the elastic branch: what the tangent is more than the elastic one.
     std::vector<TangentMatrix> tangents;
     std::vector<std::pair<unsigned int, std::vector<double>>>
@@ -173,8 +193,6 @@ namespace dpcontact
     // Over all free unknowns; zero outside the core.
     std::vector<double> rhs, approach_derivative;
     std::vector<double> step, step_per_approach;
-    void                solve(const std::vector<double> &b, double factor, std::vector<double> &x);
-    std::vector<double> core_rhs, core_solution;
     double              approach_step = 0;
 
     std::vector<State>              history, trial;

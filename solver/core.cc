@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace dpcontact
 {
@@ -15,12 +14,12 @@ namespace dpcontact
     void couple(const std::vector<unsigned int> &unknowns,
                 const std::vector<unsigned int> &index,
                 const bool                       symmetric,
-                std::vector<std::set<int>>      &columns)
+                std::vector<std::vector<int>>   &columns)
     {
       for (const unsigned int i : unknowns)
         for (const unsigned int j : unknowns)
           if (index[i] != none && index[j] != none && (!symmetric || index[i] <= index[j]))
-            columns[index[j]].insert(static_cast<int>(index[i]));
+            columns[index[j]].push_back(static_cast<int>(index[i]));
     }
 
     template <int dim>
@@ -46,11 +45,14 @@ namespace dpcontact
   Core<dim>::Core(const Discretization<dim>              &space,
                   const std::vector<std::vector<double>> &elastic_blocks,
                   const double                            radius_,
-                  const bool                              symmetric)
+                  const bool                              symmetric,
+                  const LinearSolver                      kind)
     : radius(radius_)
     , n_faces(0)
-    , far_unknown(space.far_unknown())
+    , far_stiffness(space.n_bodies(), 0.)
   {
+    for (unsigned int b = 0; b < space.n_bodies(); ++b)
+      far_unknown.push_back(space.far_unknown(b));
     std::vector<bool> in_core(space.cells().size());
     for (unsigned int c = 0; c < in_core.size(); ++c)
       {
@@ -61,16 +63,17 @@ namespace dpcontact
     for (unsigned int c = 0; c < in_core.size(); ++c)
       for (const unsigned int i : space.cells()[c].unknowns)
         (in_core[c] ? touched_inside : touched_outside)[i] = true;
+    const bool alone = space.communicator().alone();
     for (unsigned int i = 0; i < space.n_free(); ++i)
       {
         if (touched_inside[i])
           unknowns.push_back(i);
-        else
+        else if (alone)
           exterior.push_back(i);
         if (touched_inside[i] && touched_outside[i])
           shared.push_back(i);
       }
-    while (n_faces < space.surface().size() && in_core[space.surface()[n_faces].cell])
+    while (n_faces < space.surface().size() && (!alone || in_core[space.surface()[n_faces].cell]))
       ++n_faces;
 
     matrix.symmetric                           = symmetric;
@@ -78,16 +81,46 @@ namespace dpcontact
     build_pattern(space, core_index);
     for (std::size_t k = 0; k < cells.size(); ++k)
       add_elastic(elastic_blocks[cells[k]], k);
-    if (touched_inside[far_unknown])
+    for (unsigned int b = 0; b < space.n_bodies(); ++b)
       {
-        const unsigned int far = core_index[far_unknown];
-        far_stiffness          = space.exterior_stiffness();
-        matrix.value[matrix.position(far, far)] += far_stiffness;
+        const bool   here    = touched_inside[far_unknown[b]];
+        const double holders = space.communicator().sum(here ? 1. : 0.);
+        if (holders > 0)
+          far_stiffness[b] = space.exterior_stiffness(b);
+        if (here)
+          {
+            const unsigned int far = core_index[far_unknown[b]];
+            matrix.value[matrix.position(far, far)] += far_stiffness[b] / holders;
+          }
       }
     if (!shared.empty())
       condense(space, elastic_blocks, core_index);
     elastic_values = matrix.value;
-    solver         = make_direct_solver(matrix);
+    if (alone && kind == LinearSolver::direct)
+      serial = make_direct_solver(matrix);
+    else
+      distributed = std::make_unique<DistributedSolver<dim>>(space, matrix, unknowns, kind);
+  }
+
+  template <int dim>
+  bool Core<dim>::factorize()
+  {
+    return serial ? serial->factorize(matrix) : distributed->factorize(matrix);
+  }
+
+  template <int dim>
+  bool Core<dim>::solve(const std::vector<double> &b, const double factor, std::vector<double> &x)
+  {
+    if (distributed)
+      return distributed->solve(b, factor, x);
+    core_rhs.resize(unknowns.size());
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      core_rhs[i] = factor * b[unknowns[i]];
+    serial->solve(core_rhs, core_solution);
+    std::fill(x.begin(), x.end(), 0.);
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      x[unknowns[i]] = core_solution[i];
+    return true;
   }
 
   template <int dim>
@@ -115,13 +148,15 @@ namespace dpcontact
   void Core<dim>::build_pattern(const Discretization<dim>       &space,
                                 const std::vector<unsigned int> &core_index)
   {
-    std::vector<std::set<int>> columns(unknowns.size());
+    std::vector<std::vector<int>> columns(unknowns.size());
     for (const unsigned int c : cells)
       couple(space.cells()[c].unknowns, core_index, matrix.symmetric, columns);
+    const auto own = [&](const unsigned int f) { return space.surface()[f].cell != none; };
     for (unsigned int f = 0; f < n_faces; ++f)
-      couple(space.surface()[f].unknowns, core_index, matrix.symmetric, columns);
+      if (own(f))
+        couple(space.surface()[f].unknowns, core_index, matrix.symmetric, columns);
     couple(shared, core_index, matrix.symmetric, columns);
-    matrix = SparseMatrix::with_pattern(columns, matrix.symmetric);
+    matrix = SparseMatrix::with_pattern(std::move(columns), matrix.symmetric);
 
     const auto positions = [&](const std::vector<unsigned int> &of) {
       std::vector<int> result;
@@ -133,7 +168,8 @@ namespace dpcontact
     for (const unsigned int c : cells)
       cell_positions.push_back(positions(space.cells()[c].unknowns));
     for (unsigned int f = 0; f < n_faces; ++f)
-      surface_positions.push_back(positions(space.surface()[f].unknowns));
+      surface_positions.push_back(own(f) ? positions(space.surface()[f].unknowns)
+                                         : std::vector<int>());
   }
 
   template <int dim>
@@ -145,10 +181,10 @@ namespace dpcontact
     const std::vector<unsigned int> shared_index   = inverse(shared, space.n_free());
     const std::size_t               n = shared.size(), n_exterior = exterior.size();
 
-    std::vector<std::set<int>> columns(n_exterior);
+    std::vector<std::vector<int>> columns(n_exterior);
     for (const unsigned int c : outside)
       couple(space.cells()[c].unknowns, exterior_index, true, columns);
-    SparseMatrix        K_EE = SparseMatrix::with_pattern(columns, true);
+    SparseMatrix        K_EE = SparseMatrix::with_pattern(std::move(columns), true);
     std::vector<double> K_EI(n_exterior * n, 0.); // by columns
     stiffness.assign(n * n, 0.);
     for (const unsigned int c : outside)
@@ -174,11 +210,9 @@ namespace dpcontact
                 }
             }
       }
-    if (exterior_index[far_unknown] != none)
-      {
-        const unsigned int far = exterior_index[far_unknown];
-        K_EE.value[K_EE.position(far, far)] += space.exterior_stiffness();
-      }
+    for (unsigned int b = 0; b < space.n_bodies(); ++b)
+      if (const unsigned int far = exterior_index[far_unknown[b]]; far != none)
+        K_EE.value[K_EE.position(far, far)] += space.exterior_stiffness(b);
 
     const auto elastic  = make_direct_solver(K_EE);
     const bool definite = elastic->factorize(K_EE);
@@ -213,7 +247,8 @@ namespace dpcontact
   void Core<dim>::add_exterior_force(const std::vector<double> &u,
                                      std::vector<double>       &residual) const
   {
-    residual[far_unknown] += far_stiffness * u[far_unknown];
+    for (std::size_t b = 0; b < far_unknown.size(); ++b)
+      residual[far_unknown[b]] += far_stiffness[b] * u[far_unknown[b]];
     const std::size_t n = shared.size();
     for (std::size_t i = 0; i < n; ++i)
       {

@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_CORE_H
 
 #include "solver/discretization.h"
+#include "solver/distributed_solver.h"
 #include "solver/linear_solver.h"
 
 #include <memory>
@@ -17,6 +18,9 @@ namespace dpcontact
   /// rest's stiffness K, E its own unknowns and I the shared ones,
   ///   S = K_II − K_IE K_EE⁻¹ K_EI,   u_E = −K_EE⁻¹ K_EI u_I.
   /// The solution is that of the whole body to rounding.
+  ///
+  /// Over several processes the core is the whole body, and what stands here of cells, unknowns and
+  /// matrix is a process's part: its cells, the unknowns that they touch, and what they add.
   template <int dim>
   class Core
   {
@@ -24,10 +28,12 @@ namespace dpcontact
     /// @param elastic_blocks elastic stiffness of every cell: upper triangle, row by row.
     /// @param radius in the mesh's unit; infinity: the whole body, nothing is condensed.
     /// @param symmetric whether the tangents of what yields are.
+    /// @param kind of the linear solver; anything but LinearSolver::direct asks for the whole body.
     Core(const Discretization<dim>              &space,
          const std::vector<std::vector<double>> &elastic_blocks,
          double                                  radius,
-         bool                                    symmetric);
+         bool                                    symmetric,
+         LinearSolver                            kind = LinearSolver::direct);
 
     bool whole() const { return n_shared() == 0; }
 
@@ -42,8 +48,18 @@ namespace dpcontact
     /// Of each of its cells' blocks in `matrix`, row by row: the upper triangle, or all of it where
     /// the matrix is not symmetric.
     std::vector<std::vector<int>> cell_positions;
-    std::vector<std::vector<int>> surface_positions; ///< likewise of its faces
-    std::unique_ptr<DirectSolver> solver;            ///< of `matrix`
+    /// Likewise of its faces; empty where another process has the cell.
+    std::vector<std::vector<int>> surface_positions;
+
+    /// Prepares solve() with the present matrix. @return false where that is singular, or a
+    /// symmetric one not positive definite.
+    bool factorize();
+    /// x = factor A⁻¹ b over all free unknowns; what lies outside the core is ignored in b and zero
+    /// in x.
+    /// @return false where an iterative solver did not converge.
+    bool solve(const std::vector<double> &b, double factor, std::vector<double> &x);
+    /// Iterations of the linear solver so far, and systems solved; 0 iterations of a direct one.
+    unsigned int linear_iterations() const { return distributed ? distributed->iterations() : 0; }
 
     /// Adds what the elastic rest resists with to `residual` (over all free unknowns).
     void add_exterior_force(const std::vector<double> &u, std::vector<double> &residual) const;
@@ -60,12 +76,16 @@ namespace dpcontact
     void        build_pattern(const Discretization<dim>       &space,
                               const std::vector<unsigned int> &core_index);
 
-    std::vector<unsigned int> shared;    ///< free unknowns that core and rest share
-    std::vector<unsigned int> exterior;  ///< free unknowns of the rest alone
-    std::vector<double>       stiffness; ///< S, n_shared × n_shared, symmetric
-    std::vector<double>       recovery;  ///< −K_EE⁻¹ K_EI by columns: n_exterior × n_shared
-    unsigned int              far_unknown;
-    double                    far_stiffness = 0; ///< on the far unknown, where it is the core's
+    std::unique_ptr<DirectSolver>           serial;      ///< of one process
+    std::unique_ptr<DistributedSolver<dim>> distributed; ///< of several, or iterative
+    std::vector<double>                     core_rhs, core_solution;
+
+    std::vector<unsigned int> shared;      ///< free unknowns that core and rest share
+    std::vector<unsigned int> exterior;    ///< free unknowns of the rest alone
+    std::vector<double>       stiffness;   ///< S, n_shared × n_shared, symmetric
+    std::vector<double>       recovery;    ///< −K_EE⁻¹ K_EI by columns: n_exterior × n_shared
+    std::vector<unsigned int> far_unknown; ///< of each body
+    std::vector<double>       far_stiffness; ///< on it, where it is the core's
   };
 } // namespace dpcontact
 

@@ -10,6 +10,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace dpcontact
@@ -17,64 +18,120 @@ namespace dpcontact
   using dealii::numbers::invalid_unsigned_int;
 
   template <int dim>
-  Discretization<dim>::Discretization(const dealii::Triangulation<dim> &mesh,
-                                      const BoussinesqField<dim>       &far_field,
-                                      const Element                     element)
-    : fe(dealii::FE_Q<dim>(element == Element::linear_full ? 1 : 2), dim)
+  Discretization<dim>::Discretization(const dealii::Triangulation<dim>        &mesh,
+                                      const std::vector<BoussinesqField<dim>> &far_fields,
+                                      const Element                            element,
+                                      const Communicator                      &communicator)
+    : fe(dealii::FE_Q<dim>(is_linear(element) ? 1 : 2), dim)
     , quadrature_points(element == Element::quadratic_full ? 3 : 2)
     , dofs(mesh)
+    , processes(communicator)
+    , bodies(far_fields.size())
   {
     dofs.distribute_dofs(fe);
-    constrain(far_field, element);
-    free_index.assign(dofs.n_dofs(), invalid_unsigned_int);
-    for (unsigned int i = 0; i < dofs.n_dofs(); ++i)
-      if (!constraints.is_constrained(i))
-        free_index[i] = n_free_unknowns++;
-    far_index = free_index[far_index];
-    build_cells();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        Body &body = bodies[b];
+        constrain(far_fields[b], element, body);
+        body.free_index.assign(dofs.n_dofs(), invalid_unsigned_int);
+        for (unsigned int i = 0; i < dofs.n_dofs(); ++i)
+          if (!body.constraints.is_constrained(i))
+            body.free_index[i] = n_free_unknowns++;
+        body.far_index = body.free_index[body.far_index];
+        build_cells(b, element);
+        build_exterior(far_fields[b], body);
+      }
     build_surface();
-    build_exterior(far_field);
   }
 
   template <int dim>
-  void Discretization<dim>::constrain(const BoussinesqField<dim> &far_field, const Element element)
+  void Discretization<dim>::constrain_symmetry(dealii::AffineConstraints<double> &constraints) const
   {
-    dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+    // On the axis u_r = 0; in space no displacement leaves the planes of symmetry, and none at all
+    // but along it the line where they meet.
+    struct Node
+    {
+      std::array<dealii::types::global_dof_index, dim> dofs;
+      std::vector<dealii::Tensor<1, dim>>              normals;
+    };
+    std::map<dealii::types::global_dof_index, Node> nodes; // by the DoF of component 0
+    std::vector<dealii::types::global_dof_index>    on_face(fe.n_dofs_per_face());
+    for (const auto &cell : dofs.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary::axis)
+          {
+            dealii::Tensor<1, dim> normal;
+            if constexpr (dim == 2)
+              normal[0] = 1;
+            else
+              {
+                const auto face = cell->face(f);
+                normal          = dealii::cross_product_3d(face->vertex(3) - face->vertex(0),
+                                                  face->vertex(2) - face->vertex(1));
+                normal /= normal.norm();
+              }
+            cell->face(f)->get_dof_indices(on_face);
+            std::vector<std::array<dealii::types::global_dof_index, dim>> of(on_face.size() / dim);
+            for (unsigned int i = 0; i < on_face.size(); ++i)
+              {
+                const auto [component, node] = fe.face_system_to_component_index(i, f);
+                of[node][component]          = on_face[i];
+              }
+            for (const auto &node_dofs : of)
+              {
+                Node &node = nodes[node_dofs[0]];
+                node.dofs  = node_dofs;
+                if (std::none_of(node.normals.begin(), node.normals.end(), [&](const auto &n) {
+                      return std::abs(std::abs(n * normal) - 1) < 1e-8;
+                    }))
+                  node.normals.push_back(normal);
+              }
+          }
+    for (const auto &[first, node] : nodes)
+      {
+        if (node.normals.size() > 1)
+          {
+            for (int k = 0; k + 1 < dim; ++k)
+              if (!constraints.is_constrained(node.dofs[k]))
+                constraints.add_line(node.dofs[k]);
+            continue;
+          }
+        const auto  &n      = node.normals.front();
+        unsigned int across = 0;
+        for (int k = 1; k + 1 < dim; ++k)
+          if (std::abs(n[k]) > std::abs(n[across]))
+            across = static_cast<unsigned int>(k);
+        if (constraints.is_constrained(node.dofs[across]))
+          continue;
+        constraints.add_line(node.dofs[across]);
+        for (int k = 0; k + 1 < dim; ++k)
+          if (static_cast<unsigned int>(k) != across && std::abs(n[k]) > 1e-12)
+            constraints.add_entry(node.dofs[across], node.dofs[k], -n[k] / n[across]);
+      }
+  }
 
-    // On the axis u_r = 0; in space the symmetry planes x = 0 and y = 0 carry the same id.
+  template <int dim>
+  void Discretization<dim>::constrain(const BoussinesqField<dim> &far_field,
+                                      const Element               element,
+                                      Body                       &body) const
+  {
+    dealii::AffineConstraints<double> &constraints = body.constraints;
+    dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+    constrain_symmetry(constraints);
+
     std::map<dealii::types::global_dof_index, std::pair<unsigned int, dealii::Point<dim>>>
                                                  far_nodes;
     std::vector<dealii::types::global_dof_index> on_face(fe.n_dofs_per_face());
     for (const auto &cell : dofs.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary::far)
           {
-            const auto id = cell->face(f)->boundary_id();
             cell->face(f)->get_dof_indices(on_face);
             for (unsigned int i = 0; i < on_face.size(); ++i)
-              {
-                const unsigned int component = fe.face_system_to_component_index(i, f).first;
-                if (id == boundary::axis)
-                  {
-                    const dealii::Tensor<1, dim> n =
-                      dealii::Tensor<1, dim>(cell->face(f)->center() - cell->center());
-                    unsigned int across = 0;
-                    for (int k = 1; k + 1 < dim; ++k)
-                      if (std::abs(n[k]) > std::abs(n[across]))
-                        across = static_cast<unsigned int>(k);
-                    if (component == across && !constraints.is_constrained(on_face[i]))
-                      constraints.add_line(on_face[i]);
-                  }
-                else if (id == boundary::far)
-                  {
-                    const unsigned int local = fe.face_to_cell_index(i, f);
-                    const auto         unit  = fe.unit_support_point(local);
-                    far_nodes[on_face[i]]    = {
-                         component,
-                         dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(cell,
-                                                                                        unit)};
-                  }
-              }
+              far_nodes[on_face[i]] = {
+                fe.face_system_to_component_index(i, f).first,
+                dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(
+                  cell, fe.unit_support_point(fe.face_to_cell_index(i, f)))};
           }
     if (far_nodes.empty())
       throw SolverError("the mesh has no boundary named 'far': check its physical groups");
@@ -87,8 +144,8 @@ namespace dpcontact
            radius(node->second.second) < radius(master->second.second)))
         master = node;
     const double unit = far_field.displacement(master->second.second)[dim - 1];
-    amplitude         = 1 / unit;
-    far_index         = static_cast<unsigned int>(master->first);
+    body.amplitude    = 1 / unit;
+    body.far_index    = static_cast<unsigned int>(master->first);
     for (const auto &[index, node] : far_nodes)
       if (index != master->first && !constraints.is_constrained(index))
         {
@@ -98,78 +155,113 @@ namespace dpcontact
         }
 
     if (element == Element::serendipity_reduced)
-      {
-        // The serendipity subspace: nodes inside a face or cell follow its edges and corners.
-        const dealii::FE_Q<dim>                      scalar(2);
-        std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
-        for (const auto &cell : dofs.active_cell_iterators())
-          {
-            cell->get_dof_indices(local);
-            for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-              {
-                const auto [component, node] = fe.system_to_component_index(i);
-                const auto   centre          = scalar.unit_support_point(node);
-                const auto   is_middle = [](const double x) { return std::abs(x - 0.5) < 0.25; };
-                unsigned int free_directions = 0;
-                for (int k = 0; k < dim; ++k)
-                  free_directions += is_middle(centre[k]) ? 1u : 0u;
-                if (free_directions < 2 || constraints.is_constrained(local[i]))
-                  continue;
-                constraints.add_line(local[i]);
-                for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
-                  {
-                    const auto [other_component, other] = fe.system_to_component_index(j);
-                    if (other_component != component)
-                      continue;
-                    const auto   point         = scalar.unit_support_point(other);
-                    unsigned int other_middles = 0;
-                    bool         same_entity   = true;
-                    for (int k = 0; k < dim; ++k)
-                      {
-                        other_middles += is_middle(point[k]) ? 1u : 0u;
-                        if (!is_middle(centre[k]) && std::abs(point[k] - centre[k]) > 0.25)
-                          same_entity = false;
-                      }
-                    if (!same_entity)
-                      continue;
-                    const double edges   = free_directions == 2 ? 0.5 : 0.25;
-                    const double corners = -0.25;
-                    if (other_middles == 1)
-                      constraints.add_entry(local[i], local[j], edges);
-                    else if (other_middles == 0)
-                      constraints.add_entry(local[i], local[j], corners);
-                  }
-              }
-          }
-      }
+      constrain_serendipity(constraints);
     constraints.close();
   }
 
   template <int dim>
+  void
+  Discretization<dim>::constrain_serendipity(dealii::AffineConstraints<double> &constraints) const
+  {
+    // The serendipity subspace: nodes inside a face or cell follow its edges and corners.
+    const dealii::FE_Q<dim>                      scalar(2);
+    std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        cell->get_dof_indices(local);
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          {
+            const auto [component, node] = fe.system_to_component_index(i);
+            const auto   centre          = scalar.unit_support_point(node);
+            const auto   is_middle       = [](const double x) { return std::abs(x - 0.5) < 0.25; };
+            unsigned int free_directions = 0;
+            for (int k = 0; k < dim; ++k)
+              free_directions += is_middle(centre[k]) ? 1u : 0u;
+            if (free_directions < 2 || constraints.is_constrained(local[i]))
+              continue;
+            constraints.add_line(local[i]);
+            for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
+              {
+                const auto [other_component, other] = fe.system_to_component_index(j);
+                if (other_component != component)
+                  continue;
+                const auto   point         = scalar.unit_support_point(other);
+                unsigned int other_middles = 0;
+                bool         same_entity   = true;
+                for (int k = 0; k < dim; ++k)
+                  {
+                    other_middles += is_middle(point[k]) ? 1u : 0u;
+                    if (!is_middle(centre[k]) && std::abs(point[k] - centre[k]) > 0.25)
+                      same_entity = false;
+                  }
+                if (!same_entity)
+                  continue;
+                const double edges   = free_directions == 2 ? 0.5 : 0.25;
+                const double corners = -0.25;
+                if (other_middles == 1)
+                  constraints.add_entry(local[i], local[j], edges);
+                else if (other_middles == 0)
+                  constraints.add_entry(local[i], local[j], corners);
+              }
+          }
+      }
+  }
+
+  template <int dim>
   typename Discretization<dim>::Expansion
-  Discretization<dim>::expand(const std::vector<dealii::types::global_dof_index> &nodal) const
+  Discretization<dim>::expand(const Body                                         &body,
+                              const std::vector<dealii::types::global_dof_index> &nodal)
   {
     Expansion                            expansion;
     std::map<unsigned int, unsigned int> position;
     const auto                           place = [&](const dealii::types::global_dof_index dof) {
-      const auto [entry, is_new] =
-        position.try_emplace(free_index[dof], static_cast<unsigned int>(expansion.unknowns.size()));
+      const auto [entry, is_new] = position.try_emplace(
+        body.free_index[dof], static_cast<unsigned int>(expansion.unknowns.size()));
       if (is_new)
-        expansion.unknowns.push_back(free_index[dof]);
+        expansion.unknowns.push_back(body.free_index[dof]);
       return entry->second;
     };
     expansion.terms.resize(nodal.size());
     for (unsigned int i = 0; i < nodal.size(); ++i)
-      if (!constraints.is_constrained(nodal[i]))
+      if (!body.constraints.is_constrained(nodal[i]))
         expansion.terms[i].emplace_back(place(nodal[i]), 1.);
       else
-        for (const auto &[master, weight] : *constraints.get_constraint_entries(nodal[i]))
+        for (const auto &[master, weight] : *body.constraints.get_constraint_entries(nodal[i]))
           expansion.terms[i].emplace_back(place(master), weight);
     return expansion;
   }
 
+  namespace
+  {
+    /// Gives every point the mean dilatation of the element instead of its own (B̄).
+    template <class Cell>
+    void average_dilatation(Cell &cell)
+    {
+      constexpr unsigned int n_normal = 3; // the normal strains come first
+      for (std::size_t i = 0; i < cell.unknowns.size(); ++i)
+        {
+          double     mean = 0, volume = 0;
+          const auto dilatation = [i](const auto &point) {
+            return point.strain[i][0] + point.strain[i][1] + point.strain[i][2];
+          };
+          for (const auto &point : cell.points)
+            {
+              mean += point.weight * dilatation(point);
+              volume += point.weight;
+            }
+          mean /= volume;
+          for (auto &point : cell.points)
+            {
+              const double change = (mean - dilatation(point)) / n_normal;
+              for (unsigned int s = 0; s < n_normal; ++s)
+                point.strain[i][s] += change;
+            }
+        }
+    }
+  } // namespace
+
   template <int dim>
-  void Discretization<dim>::build_cells()
+  void Discretization<dim>::build_cells(const unsigned int body, const Element element)
   {
     const dealii::QGauss<dim>                    quadrature(quadrature_points);
     dealii::FEValues<dim>                        values(fe,
@@ -177,13 +269,18 @@ namespace dpcontact
                                  dealii::update_values | dealii::update_gradients |
                                    dealii::update_quadrature_points | dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
-    all_cells.reserve(dofs.get_triangulation().n_active_cells());
+    if (processes.alone())
+      all_cells.reserve(bodies.size() * dofs.get_triangulation().n_active_cells());
     for (const auto &cell : dofs.active_cell_iterators())
       {
+        if (!own(cell))
+          continue;
         values.reinit(cell);
         cell->get_dof_indices(local);
-        const Expansion expansion = expand(local);
+        const Expansion expansion = expand(bodies[body], local);
         Cell            result;
+        result.body     = body;
+        result.index    = cell->active_cell_index();
         result.unknowns = expansion.unknowns;
         for (const unsigned int q : values.quadrature_point_indices())
           {
@@ -203,6 +300,8 @@ namespace dpcontact
               }
             result.points.push_back(std::move(point));
           }
+        if (element == Element::linear_mean_dilatation)
+          average_dilatation(result);
         all_cells.push_back(std::move(result));
       }
   }
@@ -216,40 +315,55 @@ namespace dpcontact
                                      dealii::update_values | dealii::update_quadrature_points |
                                        dealii::update_JxW_values | dealii::update_normal_vectors);
     std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
+    unsigned int                                 own_cells = 0;
     for (const auto &cell : dofs.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        {
-          if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != boundary::surface)
-            continue;
-          values.reinit(cell, f);
-          cell->get_dof_indices(local);
-          // Only the normal displacement of the face's own nodes matters.
-          std::vector<dealii::types::global_dof_index> normal_dofs;
-          std::vector<unsigned int>                    normal_local;
-          for (unsigned int i = 0; i < local.size(); ++i)
-            if (fe.system_to_component_index(i).first == dim - 1 && fe.has_support_on_face(i, f))
+      {
+        const unsigned int cell_index = own(cell) ? own_cells++ : invalid_unsigned_int;
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != boundary::surface)
+              continue;
+            values.reinit(cell, f);
+            cell->get_dof_indices(local);
+            // Only the normal displacement of the face's own nodes matters.
+            std::vector<dealii::types::global_dof_index> normal_dofs;
+            std::vector<unsigned int>                    normal_local;
+            for (unsigned int i = 0; i < local.size(); ++i)
+              if (fe.system_to_component_index(i).first == dim - 1 && fe.has_support_on_face(i, f))
+                {
+                  normal_dofs.push_back(local[i]);
+                  normal_local.push_back(i);
+                }
+            SurfaceFace face;
+            face.cell = cell_index;
+            for (const unsigned int q : values.quadrature_point_indices())
               {
-                normal_dofs.push_back(local[i]);
-                normal_local.push_back(i);
+                const auto  &position = values.quadrature_point(q);
+                SurfacePoint point;
+                point.radius  = radius(position);
+                point.azimuth = dim == 3 ? std::atan2(position[1], position[0]) : 0.;
+                point.weight  = values.JxW(q) * values.normal_vector(q)[dim - 1] *
+                               Kinematics<dim>::measure(position);
+                face.points.push_back(std::move(point));
               }
-          const Expansion expansion = expand(normal_dofs);
-          SurfaceFace     face;
-          face.cell     = cell->active_cell_index();
-          face.unknowns = expansion.unknowns;
-          for (const unsigned int q : values.quadrature_point_indices())
-            {
-              SurfacePoint point;
-              point.radius = radius(values.quadrature_point(q));
-              point.weight = values.JxW(q) * values.normal_vector(q)[dim - 1] *
-                             Kinematics<dim>::measure(values.quadrature_point(q));
-              point.value.assign(face.unknowns.size(), 0.);
-              for (unsigned int i = 0; i < normal_local.size(); ++i)
-                for (const auto &[k, weight] : expansion.terms[i])
-                  point.value[k] += weight * values.shape_value(normal_local[i], q);
-              face.points.push_back(std::move(point));
-            }
-          surface_faces.push_back(std::move(face));
-        }
+            for (const Body &body : bodies)
+              {
+                const Expansion   expansion = expand(body, normal_dofs);
+                const std::size_t first     = face.unknowns.size();
+                face.unknowns.insert(
+                  face.unknowns.end(), expansion.unknowns.begin(), expansion.unknowns.end());
+                for (const unsigned int q : values.quadrature_point_indices())
+                  {
+                    auto &value = face.points[q].value;
+                    value.resize(face.unknowns.size(), 0.);
+                    for (unsigned int i = 0; i < normal_local.size(); ++i)
+                      for (const auto &[k, weight] : expansion.terms[i])
+                        value[first + k] += weight * values.shape_value(normal_local[i], q);
+                  }
+              }
+            surface_faces.push_back(std::move(face));
+          }
+      }
     // From the axis outwards: the contact is the beginning of the list.
     std::sort(surface_faces.begin(), surface_faces.end(), [](const auto &a, const auto &b) {
       return a.points.front().radius < b.points.front().radius;
@@ -257,7 +371,7 @@ namespace dpcontact
   }
 
   template <int dim>
-  void Discretization<dim>::build_exterior(const BoussinesqField<dim> &far_field)
+  void Discretization<dim>::build_exterior(const BoussinesqField<dim> &far_field, Body &body) const
   {
     // Work of the exterior's traction on its own displacement at unit force; negative on the body.
     double                        work = 0;
@@ -279,19 +393,54 @@ namespace dpcontact
                   (far_field.displacement(p) * far_field.traction(p, values.normal_vector(q)));
               }
           }
-    exterior = -work * amplitude * amplitude;
+    body.exterior = -work * body.amplitude * body.amplitude;
   }
 
   template <int dim>
-  dealii::Vector<double>
-  Discretization<dim>::distribute(const std::vector<double> &free_values) const
+  dealii::Vector<double> Discretization<dim>::distribute(const std::vector<double> &free_values,
+                                                         const unsigned int         body) const
   {
+    const auto            &free_index = bodies[body].free_index;
     dealii::Vector<double> nodal(dofs.n_dofs());
     for (unsigned int i = 0; i < dofs.n_dofs(); ++i)
       if (free_index[i] != invalid_unsigned_int)
         nodal[i] = free_values[free_index[i]];
-    constraints.distribute(nodal);
+    bodies[body].constraints.distribute(nodal);
     return nodal;
+  }
+
+  template <int dim>
+  std::vector<typename Discretization<dim>::Unknown> Discretization<dim>::unknowns() const
+  {
+    std::vector<Unknown> result(n_free_unknowns);
+    for (auto &unknown : result)
+      unknown.owner = invalid_unsigned_int;
+    std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        cell->get_dof_indices(local);
+        const unsigned int rank = processes.alone() ? 0 : cell->subdomain_id();
+        std::vector<dealii::types::global_dof_index> first(local.size() / dim); // of each node
+        for (unsigned int i = 0; i < local.size(); ++i)
+          if (const auto [component, node] = fe.system_to_component_index(i); component == 0)
+            first[node] = local[i];
+        for (unsigned int i = 0; i < local.size(); ++i)
+          for (unsigned int b = 0; b < bodies.size(); ++b)
+            {
+              const unsigned int free = bodies[b].free_index[local[i]];
+              if (free == invalid_unsigned_int)
+                continue;
+              const auto [component, node] = fe.system_to_component_index(i);
+              Unknown &unknown             = result[free];
+              unknown.component            = component;
+              unknown.node                 = static_cast<unsigned int>(first[node]);
+              unknown.body                 = b;
+              unknown.owner                = std::min(unknown.owner, rank);
+              unknown.position = dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(
+                cell, fe.unit_support_point(i));
+            }
+      }
+    return result;
   }
 
   template class Discretization<2>;

@@ -2,7 +2,10 @@
 
 #include <deal.II/base/multithread_info.h>
 
+#include <cstdlib>
 #include <omp.h>
+#include <petscsys.h>
+#include <string>
 
 namespace dpcontact
 {
@@ -14,5 +17,40 @@ namespace dpcontact
     omp_set_max_active_levels(0);
   }
 
-  Environment::~Environment() = default;
+  Environment::~Environment()
+  {
+    PetscBool started = PETSC_FALSE;
+    PetscInitialized(&started);
+    if (started == PETSC_TRUE)
+      PetscFinalize(); // and MPI, which it started
+  }
+
+  Communicator Environment::world() const
+  {
+    if (!launched_in_parallel())
+      return Communicator();
+    start_parallel_libraries();
+    return Communicator(MPI_COMM_WORLD);
+  }
+
+  bool launched_in_parallel()
+  {
+    // Open MPI, MPICH and Slurm's srun, each in its own way.
+    for (const char *const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+      if (const char *const text = std::getenv(name); text != nullptr)
+        return std::atoi(text) > 1;
+    return false;
+  }
+
+  void start_parallel_libraries()
+  {
+    PetscBool started = PETSC_FALSE;
+    PetscInitialized(&started);
+    if (started == PETSC_TRUE)
+      return;
+    // Crashes end the process as they do without PETSc, errors come back as codes.
+    PetscOptionsSetValue(nullptr, "-no_signal_handler", "");
+    PetscInitializeNoArguments();
+    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
+  }
 } // namespace dpcontact

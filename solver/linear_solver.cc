@@ -16,14 +16,16 @@ namespace dpcontact
     return static_cast<int>(std::lower_bound(begin, end, r) - row.begin());
   }
 
-  SparseMatrix SparseMatrix::with_pattern(const std::vector<std::set<int>> &columns,
-                                          const bool                        symmetric)
+  SparseMatrix SparseMatrix::with_pattern(std::vector<std::vector<int>> columns,
+                                          const bool                    symmetric)
   {
     SparseMatrix matrix;
     matrix.symmetric = symmetric;
     matrix.column_start.assign(1, 0);
-    for (const auto &column : columns)
+    for (auto &column : columns)
       {
+        std::sort(column.begin(), column.end());
+        column.erase(std::unique(column.begin(), column.end()), column.end());
         matrix.row.insert(matrix.row.end(), column.begin(), column.end());
         matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
       }

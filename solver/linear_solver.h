@@ -2,7 +2,6 @@
 #define DPCONTACT_SOLVER_LINEAR_SOLVER_H
 
 #include <memory>
-#include <set>
 #include <vector>
 
 namespace dpcontact
@@ -16,13 +15,21 @@ namespace dpcontact
     std::vector<int>    row;          ///< n_nonzeros
     std::vector<double> value;        ///< n_nonzeros
 
-    /// A matrix of zeros with the given rows, ascending, in each column.
-    static SparseMatrix with_pattern(const std::vector<std::set<int>> &columns, bool symmetric);
+    /// A matrix of zeros with the given rows, in any order and any number of times, in each column.
+    static SparseMatrix with_pattern(std::vector<std::vector<int>> columns, bool symmetric);
 
     unsigned int n() const { return static_cast<unsigned int>(column_start.size() - 1); }
     /// Index into `row` and `value` of an entry that the pattern holds; where only the upper
     /// triangle is kept, of its mirror image.
     int position(unsigned int i, unsigned int j) const;
+  };
+
+  /// How the linear systems of one scene are solved.
+  enum class LinearSolver
+  {
+    automatic, ///< direct up to a size, then iterative
+    direct,    ///< CHOLMOD or UMFPACK of one process, MUMPS of several
+    iterative  ///< Krylov method with algebraic multigrid
   };
 
   /// Direct solution of sparse systems; the symbolic factorisation is made once for a pattern.

@@ -132,7 +132,9 @@ namespace dpcontact
                 message << stage << " stopped at force " << now / peak_force
                         << " of the peak: " << report.reason << ", also with the step cut "
                         << options.max_cut_backs << " times";
-                if (!laws::associated(system.material()))
+                if (std::any_of(system.materials().begin(),
+                                system.materials().end(),
+                                [](const laws::Law &law) { return !laws::associated(law); }))
                   message << "; where flow dilates less than the friction angle a stable "
                              "equilibrium need not exist: a larger dilation angle, hardening or a "
                              "smaller peak force helps";

@@ -38,7 +38,7 @@ namespace
     // Both are the same equations; what differs is rounding, and Newton's tolerance of 1e-10.
     constexpr double tolerance = 1e-8;
     ContactProblem   whole(nu, friction_angle, strength, 16);
-    ContactSystem<2> condensed(whole.space, whole.system.material(), 1., 1e5, true);
+    ContactSystem<2> condensed(whole.space, whole.system.materials(), 1., 1e5, true);
     const auto       expected = run(whole.system);
     const auto       found    = run(condensed);
     ASSERT_EQ(found.size(), expected.size());
@@ -68,7 +68,7 @@ namespace
   TEST(condensation, a_core_that_is_too_small_says_so_and_grows_until_it_holds)
   {
     ContactProblem   whole(nu, friction_angle, strength, 16);
-    ContactSystem<2> system(whole.space, whole.system.material(), 1., 1e5, true);
+    ContactSystem<2> system(whole.space, whole.system.materials(), 1., 1e5, true);
     using Control    = ContactSystem<2>::Control;
     const auto start = system.snapshot();
     const auto solve = [](ContactSystem<2> &of) {

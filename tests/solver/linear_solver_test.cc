@@ -151,20 +151,20 @@ namespace
   /// The same pattern with both triangles, their values unlike, A symmetric in pattern alone.
   SparseMatrix make_unsymmetric(const SparseMatrix &A, const std::uint32_t seed)
   {
-    std::mt19937               engine(seed);
-    std::vector<std::set<int>> columns(A.n());
+    std::mt19937                  engine(seed);
+    std::vector<std::vector<int>> columns(A.n());
     for (unsigned int j = 0; j < A.n(); ++j)
       for (int k = A.column_start[j]; k < A.column_start[j + 1]; ++k)
         {
           const int i = A.row[static_cast<std::size_t>(k)];
-          columns[j].insert(i);
-          columns[static_cast<std::size_t>(i)].insert(static_cast<int>(j));
+          columns[j].push_back(i);
+          columns[static_cast<std::size_t>(i)].push_back(static_cast<int>(j));
         }
     auto B = SparseMatrix::with_pattern(columns, false);
     for (unsigned int j = 0; j < A.n(); ++j)
-      for (const int i : columns[j])
+      for (int k = B.column_start[j]; k < B.column_start[j + 1]; ++k)
         {
-          const auto row = static_cast<unsigned int>(i);
+          const auto row = static_cast<unsigned int>(B.row[static_cast<std::size_t>(k)]);
           B.value[static_cast<std::size_t>(B.position(row, j))] =
             A.value[static_cast<std::size_t>(A.position(row, j))] *
             (row == j ? 1. : uniform(engine));

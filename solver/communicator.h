@@ -1,0 +1,48 @@
+#ifndef DPCONTACT_SOLVER_COMMUNICATOR_H
+#define DPCONTACT_SOLVER_COMMUNICATOR_H
+
+#include <cstddef>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace dpcontact
+{
+  /// The processes that solve one scene together. Every result is the same, to the last bit, on all
+  /// of them: they take the same decisions. A single process calls no MPI at all.
+  class Communicator
+  {
+  public:
+    /// This process alone.
+    Communicator() = default;
+    /// All processes of `communicator`; MPI must have been started.
+    explicit Communicator(MPI_Comm communicator);
+
+    MPI_Comm     mpi() const { return communicator; }
+    unsigned int rank() const { return own_rank; }
+    unsigned int size() const { return n_ranks; }
+    bool         alone() const { return n_ranks == 1; }
+
+    /// Sums over the processes, in place.
+    void   sum(std::vector<double> &values) const;
+    double sum(double value) const;
+    double max(double value) const;
+    bool   any(bool value) const { return max(value ? 1. : 0.) > 0; }
+
+    /// The values of all processes one after another, on every process.
+    std::vector<double> gather(const std::vector<double> &values) const;
+
+    /// The first process's value.
+    double      broadcast(double value) const;
+    std::string broadcast(const std::string &text) const;
+
+  private:
+    void sum(double *values, std::size_t n) const;
+
+    MPI_Comm     communicator = MPI_COMM_NULL;
+    unsigned int own_rank     = 0;
+    unsigned int n_ranks      = 1;
+  };
+} // namespace dpcontact
+
+#endif
