@@ -1,6 +1,7 @@
 #include "meshing/gmsh_session.h"
 
 #include "meshing/boundary_ids.h"
+#include "meshing/corner_jacobian.h"
 #include "meshing/errors.h"
 
 #include <deal.II/grid/grid_in.h>
@@ -54,17 +55,19 @@ namespace dpcontact
 
   GmshSession::~GmshSession() { gmsh::finalize(); }
 
-  void GmshSession::mesh_into(dealii::Triangulation<2> &mesh) const
+  template <int dim>
+  void GmshSession::mesh_into(dealii::Triangulation<dim> &mesh) const
   {
-    gmsh::model::mesh::generate(2);
+    gmsh::model::mesh::generate(dim);
     const TemporaryFile file(".msh");
     gmsh::write(file.path);
 
-    std::ifstream     input(file.path);
-    dealii::GridIn<2> reader(mesh);
+    std::ifstream       input(file.path);
+    dealii::GridIn<dim> reader(mesh);
     reader.read_msh(input);
     if (!mesh.all_reference_cells_are_hyper_cube())
-      throw SolverError("gmsh left triangles in a quadrilateral mesh");
+      throw SolverError(dim == 2 ? "gmsh left triangles in a quadrilateral mesh"
+                                 : "gmsh left other cells than bricks in a mesh of bricks");
   }
 
   namespace
@@ -75,48 +78,82 @@ namespace dpcontact
       text << "(r, y) = (" << p[0] << ", " << p[1] << ")";
       return text.str();
     }
+
+    std::string where(const dealii::Point<3> &p)
+    {
+      std::ostringstream text;
+      text << "(x, y, z) = (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+      return text.str();
+    }
+
+    /// The id that belongs where all of the face's vertices lie, to 1e-9 of its size.
+    template <int dim, typename Face>
+    unsigned int expected_id(const Face &face, const double angle)
+    {
+      const auto lies_on = [&](const dealii::Tensor<1, dim> &normal) {
+        for (const unsigned int v : face->vertex_indices())
+          if (!(std::abs(normal * face->vertex(v)) < 1e-9 * face->diameter()))
+            return false;
+        return true;
+      };
+      dealii::Tensor<1, dim> normal;
+      normal[dim - 1] = 1;
+      if (lies_on(normal))
+        return boundary::surface;
+      normal = dealii::Tensor<1, dim>();
+      if constexpr (dim == 2)
+        normal[0] = 1;
+      else if (angle > 2 * M_PI - 1e-9)
+        return boundary::far;
+      else
+        {
+          normal[1] = 1;
+          if (lies_on(normal))
+            return boundary::axis;
+          normal[0] = std::sin(angle);
+          normal[1] = -std::cos(angle);
+        }
+      return lies_on(normal) ? boundary::axis : boundary::far;
+    }
   } // namespace
 
-  void check_jacobians(const dealii::Triangulation<2> &mesh)
+  template <int dim>
+  void check_jacobians(const dealii::Triangulation<dim> &mesh)
   {
     for (const auto &cell : mesh.active_cell_iterators())
       {
         if (!cell->reference_cell().is_hyper_cube())
-          throw SolverError("mesh check: no quadrilateral at " + where(cell->center()));
-        // Signed area of the corner triangles = Jacobian at the corners (deal.II numbers
-        // lexicographically).
-        const unsigned int corners[4][3] = {{0, 1, 2}, {1, 3, 0}, {3, 2, 1}, {2, 0, 3}};
-        for (const auto &c : corners)
-          {
-            const dealii::Tensor<1, 2> a = cell->vertex(c[1]) - cell->vertex(c[0]);
-            const dealii::Tensor<1, 2> b = cell->vertex(c[2]) - cell->vertex(c[0]);
-            if (a[0] * b[1] - a[1] * b[0] <= 0)
-              throw SolverError("mesh check: Jacobian not positive in the cell at " +
-                                where(cell->center()));
-          }
+          throw SolverError(std::string("mesh check: no ") +
+                            (dim == 2 ? "quadrilateral" : "brick") + " at " +
+                            where(cell->center()));
+        double lengths;
+        for (const unsigned int v : cell->vertex_indices())
+          if (!(corner_jacobian<dim>(cell, v, lengths) > 0))
+            throw SolverError("mesh check: Jacobian not positive in the cell at " +
+                              where(cell->center()));
       }
   }
 
-  void check_mesh(const dealii::Triangulation<2> &mesh)
+  template <int dim>
+  void check_mesh(const dealii::Triangulation<dim> &mesh, const double angle)
   {
     check_jacobians(mesh);
     for (const auto &cell : mesh.active_cell_iterators())
-      {
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            {
-              const dealii::Point<2> m          = face->center();
-              const auto             id         = face->boundary_id();
-              const double           h          = face->diameter();
-              const bool             on_axis    = std::abs(m[0]) < 1e-9 * h;
-              const bool             on_surface = std::abs(m[1]) < 1e-9 * h;
-              const unsigned int     expected   = on_axis      ? boundary::axis
-                                                  : on_surface ? boundary::surface
-                                                               : boundary::far;
-              if (id != expected)
-                throw SolverError("mesh check: the boundary face at " + where(m) + " has id " +
-                                  std::to_string(id) + ", expected " + std::to_string(expected));
-            }
-      }
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          {
+            const unsigned int id = face->boundary_id(), expected = expected_id<dim>(face, angle);
+            if (id != expected)
+              throw SolverError("mesh check: the boundary face at " + where(face->center()) +
+                                " has id " + std::to_string(id) + ", expected " +
+                                std::to_string(expected));
+          }
   }
+
+  template void GmshSession::mesh_into(dealii::Triangulation<2> &) const;
+  template void GmshSession::mesh_into(dealii::Triangulation<3> &) const;
+  template void check_jacobians(const dealii::Triangulation<2> &);
+  template void check_jacobians(const dealii::Triangulation<3> &);
+  template void check_mesh(const dealii::Triangulation<2> &, double);
+  template void check_mesh(const dealii::Triangulation<3> &, double);
 } // namespace dpcontact

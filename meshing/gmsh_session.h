@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_MESHING_GMSH_SESSION_H
 #define DPCONTACT_MESHING_GMSH_SESSION_H
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/grid/tria.h>
 
 namespace dpcontact
@@ -15,17 +16,24 @@ namespace dpcontact
     GmshSession(const GmshSession &)            = delete;
     GmshSession &operator=(const GmshSession &) = delete;
 
-    /// Meshes the model's surfaces and hands the result to `mesh` with its boundary ids.
-    /// @throws SolverError where other cells than quadrilaterals come out.
-    void mesh_into(dealii::Triangulation<2> &mesh) const;
+    /// Meshes the model's surfaces, or volumes, and hands the result to `mesh` with its boundary
+    /// ids.
+    /// @throws SolverError where other cells than quadrilaterals, or bricks, come out.
+    template <int dim>
+    void mesh_into(dealii::Triangulation<dim> &mesh) const;
   };
 
-  /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners.
-  void check_jacobians(const dealii::Triangulation<2> &mesh);
+  /// Throws SolverError unless every cell is a quadrilateral, or brick, of positive Jacobian at its
+  /// corners.
+  template <int dim>
+  void check_jacobians(const dealii::Triangulation<dim> &mesh);
 
-  /// Throws SolverError unless every cell is a quadrilateral of positive Jacobian at its corners
-  /// and every boundary face carries an id of boundary_ids.h that fits where it lies.
-  void check_mesh(const dealii::Triangulation<2> &mesh);
+  /// Throws SolverError unless every cell is a quadrilateral, or brick, of positive Jacobian at its
+  /// corners and every boundary face carries an id of boundary_ids.h that fits where it lies.
+  /// @param angle in space, of the wedge 0 ≤ θ ≤ angle; its planes θ = 0 and θ = angle are
+  /// boundary::axis unless it goes all the way round.
+  template <int dim>
+  void check_mesh(const dealii::Triangulation<dim> &mesh, double angle = dealii::numbers::PI_2);
 } // namespace dpcontact
 
 #endif

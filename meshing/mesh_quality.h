@@ -5,14 +5,16 @@
 
 namespace dpcontact
 {
-  /// Figures of a mesh's shape, over its active cells; lengths and areas in the mesh's own unit.
+  /// Figures of a mesh's shape, over its active cells; lengths and areas in the mesh's own unit. In
+  /// space a cell's area is its volume.
   ///
-  /// Scaled Jacobian of a cell: the least, over its four corners, of the Jacobian there (the cross
-  /// product of the two edges that meet) divided by the product of the two edges' lengths, so the
+  /// Scaled Jacobian of a cell: the least, over its corners, of the Jacobian there (the determinant
+  /// of the edges that meet) divided by the product of the edges' lengths, in the plane the
   /// sine of the corner's angle: 1 in a rectangle, 0 where a corner is flat, negative where the
   /// cell is inverted. Aspect ratio of a cell: its longest edge divided by its shortest.
   struct MeshQuality
   {
+    unsigned int dimension                = 2;
     unsigned int n_cells                  = 0;
     unsigned int n_hanging_nodes          = 0;
     double       smallest_scaled_jacobian = 0;
@@ -21,7 +23,8 @@ namespace dpcontact
     double       mean_aspect_ratio        = 0;
     double       smallest_cell_area       = 0;
     double       largest_cell_area        = 0;
-    /// Faces on the surface within the contact radius, the cut one by its fraction inside.
+    /// Elements along the surface within the contact radius, the cut one by its fraction inside; in
+    /// space along θ = 0.
     double elements_across_contact = 0;
     /// The far boundary's least distance from the origin, over its vertices.
     double domain_radius = 0;

@@ -27,14 +27,23 @@ namespace dpcontact
               << range;
       throw InputError(message.str());
     }
-
-    /// Ratio of neighbouring layers' thicknesses.
-    double layer_ratio()
-    {
-      return std::pow(PublishedMesh::bottom_size / PublishedMesh::top_size,
-                      1. / (PublishedMesh::layers - 1));
-    }
   } // namespace
+
+  double PublishedMesh::layer_ratio()
+  {
+    return std::pow(bottom_size / top_size, 1. / (layers - 1));
+  }
+
+  std::array<unsigned int, 3> PublishedMesh::radial_elements() const
+  {
+    const double widths[] = {
+      zone_radius[0], zone_radius[1] - zone_radius[0], outer_radius - zone_radius[1]};
+    std::array<unsigned int, 3> elements;
+    for (unsigned int i = 0; i < 3; ++i)
+      elements[i] =
+        static_cast<unsigned int>(std::max(1l, std::lround(widths[i] / radial_size[i])));
+    return elements;
+  }
 
   double PublishedMesh::depth()
   {
@@ -56,9 +65,10 @@ namespace dpcontact
   void make_published_mesh(const PublishedMesh &published, dealii::Triangulation<2> &mesh)
   {
     published.check();
-    const double                depth = PublishedMesh::depth();
-    const std::array<double, 4> radii = {
-      {0, PublishedMesh::zone_radius[0], PublishedMesh::zone_radius[1], published.outer_radius}};
+    const double                depth         = PublishedMesh::depth();
+    const auto                  zone_elements = published.radial_elements();
+    const std::array<double, 4> radii         = {
+              {0, PublishedMesh::zone_radius[0], PublishedMesh::zone_radius[1], published.outer_radius}};
 
     {
       const GmshSession gmsh_session;
@@ -74,14 +84,11 @@ namespace dpcontact
           geo::mesh::setTransfiniteCurve(downwards[i],
                                          static_cast<int>(PublishedMesh::layers) + 1,
                                          "Progression",
-                                         layer_ratio());
+                                         PublishedMesh::layer_ratio());
         }
       for (unsigned int i = 0; i < 3; ++i)
         {
-          const int elements =
-            std::max(1,
-                     static_cast<int>(
-                       std::lround((radii[i + 1] - radii[i]) / PublishedMesh::radial_size[i])));
+          const int elements = static_cast<int>(zone_elements[i]);
           surfaces.push_back(geo::addLine(top[i], top[i + 1]));
           floors.push_back(geo::addLine(bottom[i], bottom[i + 1]));
           geo::mesh::setTransfiniteCurve(surfaces[i], elements + 1);

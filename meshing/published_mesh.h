@@ -3,6 +3,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <array>
+
 namespace dpcontact
 {
   /// The mesh of Wang et al. 2018 (doi 10.1155/2018/6783791, figure 1 and section 3.1), as the half
@@ -32,6 +34,12 @@ namespace dpcontact
     /// Sum of the layers' thicknesses, m.
     static double depth();
 
+    /// Ratio of neighbouring layers' thicknesses, downwards.
+    static double layer_ratio();
+
+    /// Elements of each zone along a radius of the half plane.
+    std::array<unsigned int, 3> radial_elements() const;
+
     /// @throws InputError naming the quantity, its value and its range.
     void check() const;
   };
@@ -40,6 +48,18 @@ namespace dpcontact
   /// far boundary is the outer cylinder and the bottom; ids are those of boundary_ids.h.
   /// @throws InputError for values out of range, SolverError where gmsh's mesh is not what was asked.
   void make_published_mesh(const PublishedMesh &published, dealii::Triangulation<2> &mesh);
+
+  /// Fills `mesh` with the body itself, z ≤ 0 about the z axis, or the quarter 0 ≤ θ ≤ π/2 of it,
+  /// of which the body is the mirror images: 73,100 bricks and 76,830 nodes with the default outer
+  /// radius, 18,275 bricks in the quarter. The half plane above is its section θ = 0; ids likewise.
+  ///
+  /// Inferred, as the counts say no more: the core is 16 elements of 5e-5 m along x, 0.8 mm, and 14
+  /// along y, as long; the 60 segments of its perimeter are spread evenly over the circles, which
+  /// begin at r = 0.8 mm (section_map.h). So 53 elements stand along x and 52 along y, and all
+  /// sizes outside the core are those printed.
+  /// @param angle π/2 or 2π. @throws as above, InputError for another angle.
+  void
+  make_published_mesh(const PublishedMesh &published, double angle, dealii::Triangulation<3> &mesh);
 } // namespace dpcontact
 
 #endif

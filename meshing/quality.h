@@ -9,8 +9,9 @@ namespace dpcontact
 {
   /// `contact_radius` is in the mesh's own unit.
   /// @throws InputError where the contact radius is not positive or reaches past the surface,
-  /// SolverError where the mesh has no cells or other cells than quadrilaterals.
-  MeshQuality assess(const dealii::Triangulation<2> &mesh, double contact_radius);
+  /// SolverError where the mesh has no cells or other cells than quadrilaterals or bricks.
+  template <int dim>
+  MeshQuality assess(const dealii::Triangulation<dim> &mesh, double contact_radius);
 } // namespace dpcontact
 
 #endif

@@ -3,6 +3,7 @@
 #include "meshing/boundary_ids.h"
 #include "meshing/errors.h"
 #include "meshing/gmsh_session.h"
+#include "meshing/zone_halving.h"
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -32,16 +33,6 @@ namespace dpcontact
       message << "mesh zones: " << name << " = " << value << " is out of range; it must be "
               << range;
       throw InputError(message.str());
-    }
-
-    /// Number of rings from `inner` to `outer` when each is `growth` times as wide as the one
-    /// before and the first is about `first` wide.
-    int
-    number_of_rings(const double inner, const double outer, const double first, const double growth)
-    {
-      return std::max(3,
-                      static_cast<int>(std::lround(
-                        std::log(1 + (outer - inner) * (growth - 1) / first) / std::log(growth))));
     }
   } // namespace
 
@@ -146,15 +137,7 @@ namespace dpcontact
       gmsh_session.mesh_into(mesh);
     }
 
-    // Where a zone is shallower than half a cell, the cells at the surface are still halved.
-    const auto at_surface = [](const auto &cell) {
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && face->boundary_id() == boundary::surface)
-          return true;
-      return false;
-    };
-    // Zones from the coarsest cells to the finest; zone z of octave k has cells halved k + z + 1
-    // times.
+    // From the coarsest cells to the finest.
     std::vector<std::pair<double, double>> sizes = {
       {std::max(c, zones.plastic_zone), zones.plastic_zone},
       {c, zones.medium_depth},
@@ -163,30 +146,11 @@ namespace dpcontact
     sizes.resize(halvings);
     for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
       sizes.emplace_back(c, zones.surface_depth / static_cast<double>(1u << k));
-    const auto wanted_level = [&](const auto &cell) {
-      unsigned int level = 0;
-      for (unsigned int k = 0; k <= zones.octaves; ++k)
-        for (unsigned int z = 0; z < sizes.size(); ++z)
-          {
-            const double scale = 1. / static_cast<double>(1u << k);
-            if (cell->center()[0] < scale * sizes[z].first &&
-                (-cell->center()[1] < scale * sizes[z].second || at_surface(cell)))
-              level = std::max(level, k + z + 1);
-          }
-      return static_cast<int>(level);
-    };
-    for (bool refined = true; refined;)
-      {
-        refined = false;
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->level() < wanted_level(cell))
-            {
-              cell->set_refine_flag();
-              refined = true;
-            }
-        if (refined)
-          mesh.execute_coarsening_and_refinement();
-      }
+    halve_zones(
+      sizes,
+      zones.octaves,
+      [](const dealii::Point<2> &p) { return std::make_pair(p[0], -p[1]); },
+      mesh);
     mesh.refine_global(zones.level);
     if (zones.stretch != 1)
       dealii::GridTools::scale(zones.stretch, mesh);
