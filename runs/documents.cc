@@ -4,6 +4,7 @@
 #include "solver/laws/mohr_coulomb.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace dpcontact
@@ -33,7 +34,19 @@ namespace dpcontact
 
   Json scene_json(const Case &input)
   {
-    return {{"radius", input.scene.radius}, {"force_max", input.scene.force_max}};
+    Json json = {{"radius", input.scene.radius}, {"force_max", input.scene.force_max}};
+    if (const auto &second = input.scene.second)
+      {
+        Json &body = json["second"];
+        body       = {{"radius", std::isinf(second->radius) ? Json("flat") : Json(second->radius)},
+                      {"rigid", !second->material}};
+        if (second->material)
+          body.update({{"E", second->material->youngs_modulus},
+                       {"nu", second->material->poisson_ratio},
+                       {"phi_deg", second->material->friction_angle * (180 / M_PI)},
+                       {"sigma_c", second->material->compressive_strength}});
+      }
+    return json;
   }
 
   std::string describe_checks(const PathChecks &checks)
@@ -72,7 +85,10 @@ namespace dpcontact
             {"contact_radius", yield.contact_radius},
             {"depth_over_contact_radius", yield.depth_over_contact_radius},
             {"ring_force", yield.ring_force},
-            {"ring_pressure", yield.ring_pressure}};
+            {"ring_pressure", yield.ring_pressure},
+            {"body_forces",
+             {yield.body_force[0],
+              std::isinf(yield.body_force[1]) ? Json() : Json(yield.body_force[1])}}};
   }
 
   namespace
@@ -114,26 +130,34 @@ namespace dpcontact
   Json options_json(const SolverOptions &used)
   {
     const auto on_off = [](const bool value) { return value ? "on" : "off"; };
-    return {
-      {"mesh", to_string(used.mesh)},
-      {"resolution", used.resolution},
-      {"surface-halvings", used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
-      {"element", to_string(used.element)},
-      {"level", used.level},
-      {"octaves", used.octaves},
-      {"domain-radius", used.domain_radius},
-      {"mesh-stretch", used.mesh_stretch},
-      {"mesh-distortion", used.mesh_distortion},
-      {"step-tolerance", used.step_tolerance},
-      {"loading-steps", used.loading_steps},
-      {"extrapolation", on_off(used.extrapolation)},
-      {"predictor", on_off(used.predictor)},
-      {"condensation", on_off(used.condensation)},
-      {"closed-form", on_off(used.closed_form)},
-      {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
-      {"penalty-stiffness", used.penalty_stiffness},
-      {"units", used.units == Units::si ? "si" : "scaled"},
-      {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
+    Json       json   = {
+              {"mesh", to_string(used.mesh)},
+              {"resolution", used.resolution},
+              {"surface-halvings", used.surface_halvings ? std::to_string(*used.surface_halvings) : "auto"},
+              {"element", to_string(used.element)},
+              {"level", used.level},
+              {"octaves", used.octaves},
+              {"domain-radius", used.domain_radius},
+              {"mesh-stretch", used.mesh_stretch},
+              {"mesh-distortion", used.mesh_distortion},
+              {"step-tolerance", used.step_tolerance},
+              {"loading-steps", used.loading_steps},
+              {"extrapolation", on_off(used.extrapolation)},
+              {"predictor", on_off(used.predictor)},
+              {"condensation", on_off(used.condensation)},
+              {"closed-form", on_off(used.closed_form)},
+              {"contact", used.contact == ContactMethod::penalty ? "penalty" : "augmented"},
+              {"penalty-stiffness", used.penalty_stiffness},
+              {"units", used.units == Units::si ? "si" : "scaled"},
+              {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
+    if (in_space(used.geometry))
+      json.update({{"geometry", to_string(used.geometry)},
+                   {"sector-angle", used.sector_angle},
+                   {"linear-solver",
+                    used.linear_solver == LinearSolver::direct      ? "direct"
+                    : used.linear_solver == LinearSolver::iterative ? "iterative"
+                                                                    : "auto"}});
+    return json;
   }
 
   Json fit_json(const Record &row)
@@ -240,6 +264,25 @@ namespace dpcontact
       add("T0", *material.tension_cutoff, Dimension::pressure);
     add("R", input.scene.radius, Dimension::length);
     add("F_max", input.scene.force_max, Dimension::force);
+    if (const auto &second = input.scene.second)
+      {
+        text += "; against ";
+        text += std::isinf(second->radius)
+                  ? "a flat"
+                  : "R = " + format_quantity(second->radius, Dimension::length);
+        if (!second->material)
+          text += ", rigid";
+        else
+          {
+            add("E", second->material->youngs_modulus, Dimension::pressure);
+            add("nu", second->material->poisson_ratio, Dimension::number);
+            if (!metal)
+              add("phi", second->material->friction_angle * (180 / M_PI), Dimension::angle);
+            add(metal ? "yield stress" : "sigma_c",
+                second->material->compressive_strength,
+                Dimension::pressure);
+          }
+      }
     return (material.criterion == Criterion::drucker_prager
               ? ""
               : std::string(to_string(material.criterion)) + ", ") +

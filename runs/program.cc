@@ -2,8 +2,12 @@
 
 #include "runs/commands/commands.h"
 #include "runs/version.h"
+#include "solver/environment.h"
 
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
+#include <thread>
 
 namespace dpcontact
 {
@@ -53,6 +57,10 @@ namespace dpcontact
 
     int report(const std::string &kind, const std::string &message, const ExitCode code)
     {
+      // What all processes of an MPI run see, one of them says: mpirun ends the others meanwhile.
+      const char *const rank = std::getenv("OMPI_COMM_WORLD_RANK");
+      if (launched_in_parallel() && rank != nullptr && std::string(rank) != "0")
+        std::this_thread::sleep_for(std::chrono::seconds(1));
       std::cerr << "dpcontact: " << kind << ": " << message << std::endl;
       return static_cast<int>(code);
     }

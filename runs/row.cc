@@ -13,7 +13,7 @@ namespace dpcontact
     /// Inputs and what follows from them in closed form.
     Record new_row(const Case &input)
     {
-      const FirstYield yield = first_yield(input.material, input.scene.radius);
+      const FirstYield yield = first_yield(input.material, input.scene);
 
       Record row;
       static_cast<RowInputs &>(row) = row_inputs(input);

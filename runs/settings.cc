@@ -159,24 +159,42 @@ namespace dpcontact
         name, Kind::choice, help + ": on or off [on]", Dimension::number, {"on", "off"}};
     };
     return {
-      Setting{"mesh",
+      Setting{"geometry",
               Kind::choice,
-              "fitted to the contact, or published: the paper's three zones [fitted]",
+              "axisymmetric; in space a sector, the whole disc, or a quarter on the published mesh "
+              "[axisymmetric]",
               Dimension::number,
-              {"fitted", "published"}},
-      count("resolution", "elements across the contact radius at the peak", defaults.resolution),
+              {"axisymmetric", "sector", "disc", "published"}},
+      number("sector-angle", "of a sector in degrees: 90 or 45", defaults.sector_angle),
+      Setting{"linear-solver",
+              Kind::choice,
+              "in space: auto (by size), direct or iterative [auto]",
+              Dimension::number,
+              {"auto", "direct", "iterative"}},
+      Setting{
+        "mesh",
+        Kind::choice,
+        "fitted to the contact, or published: the paper's three zones [fitted; of the published "
+        "geometry published]",
+        Dimension::number,
+        {"fitted", "published"}},
+      count("resolution",
+            "elements across the contact radius at the peak; in space [" +
+              std::to_string(SolverOptions::of(Geometry::sector).resolution) + "], otherwise",
+            defaults.resolution),
       Setting{"surface-halvings",
               Kind::choice,
               "further halvings of the cells at the surface: auto (1 where strongly plastic), 0 to "
               "4 [auto]",
               Dimension::number,
               {"auto", "0", "1", "2", "3", "4"}},
-      Setting{"element",
-              Kind::choice,
-              "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3) or linear (4, 2x2: locks) "
-              "[serendipity]",
-              Dimension::number,
-              {"serendipity", "quadratic", "linear"}},
+      Setting{
+        "element",
+        Kind::choice,
+        "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3; in space 27, 3x3x3), brick (4 or "
+        "8, mean dilatation) or linear (4 or 8: locks) [serendipity; in space brick]",
+        Dimension::number,
+        {"serendipity", "quadratic", "brick", "linear"}},
       count("level", "uniform refinements of the whole mesh on top", defaults.level),
       count("octaves",
             "contacts down to 2^-octaves of the largest are resolved as well, for families",
@@ -331,8 +349,9 @@ namespace dpcontact
 
   SolverOptions read_solver_options(const SettingTexts &texts)
   {
-    SolverOptions options;
-    const auto    read_count = [&](const char *name, unsigned int &value) {
+    SolverOptions options =
+      SolverOptions::of(parse_geometry(choose(texts, "geometry", "axisymmetric")));
+    const auto read_count = [&](const char *name, unsigned int &value) {
       if (const auto text = find(texts, name))
         value = parse_count(name, *text);
     };
@@ -346,6 +365,11 @@ namespace dpcontact
     if (halvings != "auto")
       options.surface_halvings = parse_count("surface-halvings", halvings);
     options.element = parse_element(choose(texts, "element", to_string(options.element)));
+    read_number("sector-angle", options.sector_angle);
+    const std::string linear_solver = choose(texts, "linear-solver", "auto");
+    options.linear_solver           = linear_solver == "direct"      ? LinearSolver::direct
+                                      : linear_solver == "iterative" ? LinearSolver::iterative
+                                                                     : LinearSolver::automatic;
     read_count("level", options.level);
     read_count("octaves", options.octaves);
     read_number("domain-radius", options.domain_radius);

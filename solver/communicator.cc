@@ -1,6 +1,7 @@
 #include "solver/communicator.h"
 
 #include <algorithm>
+#include <mpi.h>
 #include <numeric>
 
 namespace dpcontact
@@ -9,16 +10,19 @@ namespace dpcontact
   {
     /// MPI counts in int.
     constexpr std::size_t largest_message = std::size_t(1) << 27;
+
+    const MPI_Comm communicator = MPI_COMM_WORLD;
   } // namespace
 
-  Communicator::Communicator(const MPI_Comm communicator_)
-    : communicator(communicator_)
+  Communicator Communicator::world()
   {
-    int rank = 0, size = 1;
+    Communicator result;
+    int          rank = 0, size = 1;
     MPI_Comm_rank(communicator, &rank);
     MPI_Comm_size(communicator, &size);
-    own_rank = static_cast<unsigned int>(rank);
-    n_ranks  = static_cast<unsigned int>(size);
+    result.own_rank = static_cast<unsigned int>(rank);
+    result.n_ranks  = static_cast<unsigned int>(size);
+    return result;
   }
 
   // Reduce and broadcast rather than one reduction to all: only the broadcast promises equal bits.

@@ -2,7 +2,6 @@
 #define DPCONTACT_SOLVER_COMMUNICATOR_H
 
 #include <cstddef>
-#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,9 @@ namespace dpcontact
   public:
     /// This process alone.
     Communicator() = default;
-    /// All processes of `communicator`; MPI must have been started.
-    explicit Communicator(MPI_Comm communicator);
+    /// All processes that mpirun started; MPI must have been started.
+    static Communicator world();
 
-    MPI_Comm     mpi() const { return communicator; }
     unsigned int rank() const { return own_rank; }
     unsigned int size() const { return n_ranks; }
     bool         alone() const { return n_ranks == 1; }
@@ -39,9 +37,8 @@ namespace dpcontact
   private:
     void sum(double *values, std::size_t n) const;
 
-    MPI_Comm     communicator = MPI_COMM_NULL;
-    unsigned int own_rank     = 0;
-    unsigned int n_ranks      = 1;
+    unsigned int own_rank = 0;
+    unsigned int n_ranks  = 1;
   };
 } // namespace dpcontact
 

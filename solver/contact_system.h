@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_SOLVER_CONTACT_SYSTEM_H
 #define DPCONTACT_SOLVER_CONTACT_SYSTEM_H
 
+#include "solver/arrays.h"
 #include "solver/contact.h"
 #include "solver/core.h"
 #include "solver/discretization.h"
@@ -129,6 +130,11 @@ namespace dpcontact
               committed_surface};
     }
     void restore(const Snapshot &saved);
+    /// The snapshot in the order of the mesh's cells, whichever process they are on. Every process
+    /// gets all of it.
+    Arrays save() const;
+    /// @throws InputError where `saved` is not of this mesh.
+    void restore(const Arrays &saved);
     /// Back to the virgin state.
     void reset();
 

@@ -229,7 +229,7 @@ namespace dpcontact
     start_parallel_libraries();
     objects            = std::make_unique<Objects>();
     const auto &all    = space.communicator();
-    objects->comm      = all.alone() ? MPI_COMM_SELF : all.mpi();
+    objects->comm      = all.alone() ? MPI_COMM_SELF : MPI_COMM_WORLD;
     objects->symmetric = pattern.symmetric;
     objects->iterative = kind == LinearSolver::iterative;
     const auto places  = space.unknowns();

@@ -17,14 +17,14 @@ namespace dpcontact
     }
 
     CurvePoint point_at(const Material &material,
-                        const double    radius,
+                        const Scene    &scene,
                         const double    force,
                         const double    mises_ratio)
     {
       CurvePoint point;
       point.force            = force;
-      point.approach         = hertz::approach(material, radius, force);
-      point.contact_radius   = hertz::contact_radius(radius, point.approach);
+      point.approach         = hertz::approach(material, scene, force);
+      point.contact_radius   = hertz::contact_radius(scene, point.approach);
       point.pressure_max     = force > 0 ? hertz::peak_pressure(force, point.contact_radius) : 0.;
       point.mises_stress_max = mises_ratio * point.pressure_max;
       point.plastic_volume = point.dissipated_energy = point.plastic_strain_max = 0;
@@ -36,13 +36,15 @@ namespace dpcontact
   elastic_solution(const Material &material, const Scene &scene, const unsigned int loading_steps)
   {
     Solution solution;
-    solution.yield     = first_yield(material, scene.radius);
-    const double ratio = mises_ratio(material, scene.radius);
+    solution.yield = first_yield(material, scene);
+    double ratio   = mises_ratio(material, scene.radius);
+    if (scene.second && scene.second->material)
+      ratio = std::max(ratio, mises_ratio(*scene.second->material, scene.radius));
     for (unsigned int i = 0; i <= loading_steps; ++i)
       {
         const double tau = static_cast<double>(i) / loading_steps;
         solution.curve.loading.push_back(
-          point_at(material, scene.radius, scene.force_max * tau * tau * tau, ratio));
+          point_at(material, scene, scene.force_max * tau * tau * tau, ratio));
       }
     solution.curve.unloading.assign(solution.curve.loading.rbegin(), solution.curve.loading.rend());
     solution.coarser_steps = solution.curve;

@@ -3,6 +3,7 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <cstdlib>
+#include <exception>
 #include <omp.h>
 #include <petscsys.h>
 #include <string>
@@ -21,7 +22,8 @@ namespace dpcontact
   {
     PetscBool started = PETSC_FALSE;
     PetscInitialized(&started);
-    if (started == PETSC_TRUE)
+    // Whoever leaves by an exception must not wait here for the others: it ends, and mpirun them.
+    if (started == PETSC_TRUE && (std::uncaught_exceptions() == 0 || !launched_in_parallel()))
       PetscFinalize(); // and MPI, which it started
   }
 
@@ -30,7 +32,7 @@ namespace dpcontact
     if (!launched_in_parallel())
       return Communicator();
     start_parallel_libraries();
-    return Communicator(MPI_COMM_WORLD);
+    return Communicator::world();
   }
 
   bool launched_in_parallel()

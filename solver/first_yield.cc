@@ -1,7 +1,9 @@
 #include "solver/first_yield.h"
 
+#include "solver/hertz.h"
 #include "solver/laws/drucker_prager.h"
 
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
@@ -92,6 +94,40 @@ namespace dpcontact
     yield.depth_over_contact_radius = maximum.depth;
     yield.ring_pressure             = 3 * material.shear_strength() / (1 - 2 * nu);
     yield.ring_force                = force(yield.ring_pressure);
+    yield.body_force                = {yield.force, yield.force};
+    return yield;
+  }
+
+  FirstYield first_yield(const Material &material, const Scene &scene)
+  {
+    scene.check();
+    if (!scene.second)
+      return first_yield(material, scene.radius);
+
+    // Pressures are each body's own; forces and lengths follow from the pair's R* and E*.
+    const double radius = scene.effective_radius();
+    const double slope = M_PI / (2 * hertz::effective_modulus(material, scene)); // a/R* = slope P₀
+    const auto   force = [&](const double pressure) {
+      const double a = radius * (slope * pressure);
+      return 2. / 3. * M_PI * a * a * pressure;
+    };
+    FirstYield yield = first_yield(material, scene.radius);
+    yield.body_force = {force(yield.pressure), std::numeric_limits<double>::infinity()};
+    if (scene.second->material)
+      {
+        const FirstYield second = first_yield(*scene.second->material, scene.radius);
+        yield.body_force[1]     = force(second.pressure);
+        if (second.pressure < yield.pressure)
+          {
+            yield.pressure                  = second.pressure;
+            yield.depth_over_contact_radius = second.depth_over_contact_radius;
+          }
+        yield.ring_pressure = std::min(yield.ring_pressure, second.ring_pressure);
+      }
+    yield.force          = force(yield.pressure);
+    yield.contact_radius = radius * (slope * yield.pressure);
+    yield.approach       = yield.contact_radius * (slope * yield.pressure);
+    yield.ring_force     = force(yield.ring_pressure);
     return yield;
   }
 } // namespace dpcontact

@@ -3,6 +3,8 @@
 
 #include "solver/scene.h"
 
+#include <array>
+
 namespace dpcontact
 {
   /// Where and when the elastic (Hertz) solution first reaches the yield surface, SI units.
@@ -15,6 +17,8 @@ namespace dpcontact
     double depth_over_contact_radius; ///< u = z/a of the yielding point on the axis
     double ring_pressure; ///< Hertz peak pressure at which the ring r = a, z = 0 yields, Pa
     double ring_force;    ///< force at which the ring yields, N
+    /// F_y of each body's own axis in this contact, N; infinite of a rigid one. F_y is the smaller.
+    std::array<double, 2> body_force;
 
     /// Force below which the scene is wholly elastic.
     double onset_force() const { return force < ring_force ? force : ring_force; }
@@ -28,6 +32,10 @@ namespace dpcontact
   ///
   /// @throws InputError where material or radius are out of range.
   FirstYield first_yield(const Material &material, double radius);
+
+  /// First yield of the scene's two bodies: P₀,y is the smaller of theirs, F_y = π³P₀³R*²/(6E*²),
+  /// δ_y = π²P₀²R*/(4E*²). Equal to the above where they are identical.
+  FirstYield first_yield(const Material &material, const Scene &scene);
 } // namespace dpcontact
 
 #endif

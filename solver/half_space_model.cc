@@ -1,86 +1,132 @@
 #include "solver/half_space_model.h"
 
+#include "meshing/partition.h"
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
 #include "meshing/sphere_cap.h"
+#include "meshing/wedge_mesh.h"
 #include "meshing/zoned_mesh.h"
 #include "solver/hertz.h"
 #include "solver/law_of.h"
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace dpcontact
 {
-  HalfSpaceModel::HalfSpaceModel(const Material      &material,
-                                 const Scene         &scene_,
-                                 const SolverOptions &options_,
-                                 const double         mesh_radius)
-    : scene(scene_)
-    , options(options_)
-    , peak_approach_guess(hertz::approach(material, scene.radius, scene.force_max) / 2)
+  template <int dim>
+  void ContactModel<dim>::make_mesh(const double mesh_radius)
   {
-    const double a = mesh_radius, E = material.youngs_modulus, nu = material.poisson_ratio;
-    const bool   si = options.units == Units::si;
-    unit_system =
-      si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / scene.radius, E * a / scene.radius};
-
-    if (options.mesh == MeshKind::published)
+    const double  a         = mesh_radius;
+    const bool    published = options.mesh == MeshKind::published;
+    PublishedMesh paper;
+    paper.level = options.level;
+    paper.unit  = a;
+    Zones zones;
+    zones.resolution       = options.resolution;
+    zones.level            = options.level;
+    zones.surface_halvings = options.surface_halvings.value_or(0);
+    zones.domain_radius    = options.domain_radius;
+    zones.stretch          = options.mesh_stretch;
+    zones.octaves          = options.octaves;
+    if constexpr (dim == 2)
       {
-        PublishedMesh published;
-        published.level = options.level;
-        published.unit  = a;
-        make_published_mesh(published, triangulation);
+        if (published)
+          make_published_mesh(paper, triangulation);
+        else
+          make_zoned_mesh(zones, triangulation);
+        if (options.mesh_distortion > 0)
+          dealii::GridTools::distort_random(options.mesh_distortion, triangulation, true, 1);
+        if (options.surface == Surface::sphere)
+          map_to_sphere(scene.radius / a, triangulation);
       }
     else
       {
-        Zones zones;
-        zones.resolution       = options.resolution;
-        zones.level            = options.level;
-        zones.surface_halvings = options.surface_halvings.value_or(0);
-        zones.domain_radius    = options.domain_radius;
-        zones.stretch          = options.mesh_stretch;
-        zones.octaves          = options.octaves;
-        make_zoned_mesh(zones, triangulation);
+        if (published)
+          make_published_mesh(paper, options.angle(), triangulation);
+        else
+          make_wedge_mesh(zones, options.angle(), triangulation);
       }
-    if (options.mesh_distortion > 0)
-      dealii::GridTools::distort_random(options.mesh_distortion, triangulation, true, 1);
-    const bool curved = options.surface == Surface::sphere;
-    if (curved)
-      map_to_sphere(scene.radius / a, triangulation);
     mesh_quality = assess(triangulation, 1);
-    if (si)
+    if (options.units == Units::si)
       dealii::GridTools::scale(a, triangulation);
-
-    const double modulus = si ? E : 1;
-
-    space = std::make_unique<Discretization<2>>(
-      triangulation, BoussinesqField<2>(modulus, nu), options.element);
-    contact_system = std::make_unique<ContactSystem<2>>(
-      *space,
-      law_of(material, unit_system.stress, unit_system.displacement / unit_system.length),
-      Profile(si ? scene.radius : 1., curved ? (si ? 1 : a) / scene.radius : 0.),
-      options.penalty_stiffness * (si ? E / a : 1.),
-      options.condensation);
   }
 
-  LoadPath<2> HalfSpaceModel::start_path(const unsigned int  loading_steps,
-                                         const StepObserver &observer)
+  template <int dim>
+  ContactModel<dim>::ContactModel(const Material      &material,
+                                  const Scene         &scene_,
+                                  const SolverOptions &options_,
+                                  const double         mesh_radius,
+                                  const Communicator  &processes)
+    : scene(scene_)
+    , options(options_)
+    , peak_approach_guess(hertz::approach(material, scene, scene.force_max) / symmetry_factor())
   {
-    LoadPath<2>::Options path_options;
+    const double a    = mesh_radius;
+    const bool   si   = options.units == Units::si;
+    const bool   pair = scene.second && scene.second->material;
+    // The gap of the model is r²/(2R) with this R: of one sphere, or of both.
+    const double gap_radius  = 2 * scene.effective_radius() / (scene.second ? 2 : 1);
+    const double unit_radius = 2 * scene.effective_radius();
+    const double E           = pair
+                                 ? std::min(material.youngs_modulus, scene.second->material->youngs_modulus)
+                                 : material.youngs_modulus;
+    unit_system =
+      si ? UnitSystem{1, 1, 1} : UnitSystem{a, a * a / unit_radius, E * a / unit_radius};
+    unit_system.share = dim == 3 ? options.angle() / (2 * M_PI) : 1;
+
+    make_mesh(mesh_radius);
+    if (!processes.alone())
+      partition(processes.size(), triangulation);
+
+    std::vector<Material> bodies{material};
+    if (pair)
+      bodies.push_back(*scene.second->material);
+    const double                      strain_unit = unit_system.displacement / unit_system.length;
+    std::vector<BoussinesqField<dim>> far_fields;
+    std::vector<laws::Law>            laws;
+    for (const Material &body : bodies)
+      {
+        far_fields.emplace_back(si ? body.youngs_modulus : body.youngs_modulus / E,
+                                body.poisson_ratio);
+        laws.push_back(law_of(body, unit_system.stress, strain_unit));
+      }
+
+    space =
+      std::make_unique<Discretization<dim>>(triangulation, far_fields, options.element, processes);
+    const bool curved = options.surface == Surface::sphere;
+    contact_system =
+      std::make_unique<ContactSystem<dim>>(*space,
+                                           laws,
+                                           Profile(si ? gap_radius : gap_radius / unit_radius,
+                                                   curved ? (si ? 1 : a) / scene.radius : 0.),
+                                           options.penalty_stiffness * (si ? E / a : 1.),
+                                           options.condensation && dim == 2,
+                                           linear_solver(options, space->n_free()));
+  }
+
+  template <int dim>
+  LoadPath<dim> ContactModel<dim>::start_path(const unsigned int  loading_steps,
+                                              const StepObserver &observer)
+  {
+    typename LoadPath<dim>::Options path_options;
     path_options.loading_steps   = loading_steps;
     path_options.unloading_steps = (loading_steps + 1) / 2;
     path_options.augment         = options.contact == ContactMethod::augmented;
     path_options.predict         = options.predictor;
+    path_options.symmetry_factor = symmetry_factor();
     contact_system->reset();
-    return LoadPath<2>(*contact_system, path_options, observer);
+    return LoadPath<dim>(*contact_system, path_options, observer);
   }
 
-  std::vector<CurvePoint> HalfSpaceModel::run_to_peak(const unsigned int  loading_steps,
-                                                      const StepObserver &observer)
+  template <int dim>
+  std::vector<CurvePoint> ContactModel<dim>::run_to_peak(const unsigned int  loading_steps,
+                                                         const StepObserver &observer)
   {
-    LoadPath<2>             path   = start_path(loading_steps, observer);
+    LoadPath<dim>           path   = start_path(loading_steps, observer);
     std::vector<CurvePoint> branch = path.load(scene.force_max / unit_system.force(),
                                                peak_approach_guess / unit_system.displacement);
     take_counts(path);
@@ -88,31 +134,67 @@ namespace dpcontact
     return branch;
   }
 
-  Curve HalfSpaceModel::run(const unsigned int           loading_steps,
-                            const StepObserver          &observer,
-                            const std::function<void()> &at_peak,
-                            const std::function<void()> &at_end)
+  template <int dim>
+  Curve ContactModel<dim>::run(const unsigned int           loading_steps,
+                               const StepObserver          &observer,
+                               const std::function<void()> &at_peak,
+                               const std::function<void()> &at_end,
+                               const Checkpoint            &checkpoint)
   {
-    LoadPath<2> path = start_path(loading_steps, observer);
-    Curve       curve;
-    curve.loading = path.load(scene.force_max / unit_system.force(),
-                              peak_approach_guess / unit_system.displacement);
-    if (at_peak)
-      at_peak();
-    curve.unloading = path.unload();
+    const std::string name = "run of " + std::to_string(loading_steps) + " ";
+    if (const auto done = checkpoint.found.find(name + "loading"); done != checkpoint.found.end())
+      {
+        // A run before the one that was kept.
+        for (const char *const part : {"loading", "unloading", "cut-backs"})
+          finished[name + part] = checkpoint.found.at(name + part);
+        counted           = {};
+        counted.cut_backs = static_cast<unsigned int>(finished[name + "cut-backs"].front());
+        return {points_of(finished[name + "loading"]), points_of(finished[name + "unloading"])};
+      }
+
+    LoadPath<dim>                    path = start_path(loading_steps, observer);
+    typename LoadPath<dim>::Progress progress;
+    const auto                       steps = checkpoint.found.find("steps");
+    if (steps != checkpoint.found.end() && steps->second.front() == loading_steps)
+      {
+        path.restore(checkpoint.found);
+        progress.loading   = points_of(checkpoint.found.at("loading"));
+        progress.unloaded  = points_of(checkpoint.found.at("unloading"));
+        progress.unloading = !progress.unloaded.empty();
+      }
+    std::function<void(const typename LoadPath<dim>::Progress &)> keep;
+    if (checkpoint.keep)
+      keep = [&](const typename LoadPath<dim>::Progress &reached) {
+        Arrays all       = finished;
+        all["steps"]     = {static_cast<double>(loading_steps)};
+        all["loading"]   = numbers_of(reached.loading);
+        all["unloading"] = numbers_of(reached.unloaded);
+        all.merge(path.save());
+        checkpoint.keep(all);
+      };
+    path.run(scene.force_max / unit_system.force(),
+             peak_approach_guess / unit_system.displacement,
+             progress,
+             keep,
+             at_peak);
     if (at_end)
       at_end();
     take_counts(path);
+    Curve curve{progress.loading, progress.unloaded};
     to_si(curve.loading);
     to_si(curve.unloading);
+    finished[name + "loading"]   = numbers_of(curve.loading);
+    finished[name + "unloading"] = numbers_of(curve.unloading);
+    finished[name + "cut-backs"] = {static_cast<double>(counted.cut_backs)};
     return curve;
   }
 
-  std::vector<Curve> HalfSpaceModel::run_cycles(const unsigned int         loading_steps,
-                                                const std::vector<double> &forces,
-                                                const StepObserver        &observer)
+  template <int dim>
+  std::vector<Curve> ContactModel<dim>::run_cycles(const unsigned int         loading_steps,
+                                                   const std::vector<double> &forces,
+                                                   const StepObserver        &observer)
   {
-    LoadPath<2>        path = start_path(loading_steps, observer);
+    LoadPath<dim>      path = start_path(loading_steps, observer);
     std::vector<Curve> cycles;
     for (const double force : forces)
       {
@@ -129,7 +211,8 @@ namespace dpcontact
     return cycles;
   }
 
-  void HalfSpaceModel::take_counts(const LoadPath<2> &path)
+  template <int dim>
+  void ContactModel<dim>::take_counts(const LoadPath<dim> &path)
   {
     counted = path.counters();
     checked = path.checks();
@@ -139,20 +222,21 @@ namespace dpcontact
                                        &PathChecks::dissipation,
                                        &PathChecks::mean_dissipation,
                                        &PathChecks::energy_error})
-      checked.*energy *= 2 * unit_system.energy();
+      checked.*energy *= symmetry_factor() * unit_system.energy();
   }
 
-  HalfSpaceModel::BranchedRun HalfSpaceModel::run(const Levels       &levels,
-                                                  const StepObserver &observer)
+  template <int dim>
+  typename ContactModel<dim>::BranchedRun ContactModel<dim>::run(const Levels       &levels,
+                                                                 const StepObserver &observer)
   {
-    BranchedRun run;
-    LoadPath<2> path     = start_path(1, observer);
-    std::size_t stop     = 0;
-    const auto  at_level = [&](const double level) {
+    BranchedRun   run;
+    LoadPath<dim> path     = start_path(1, observer);
+    std::size_t   stop     = 0;
+    const auto    at_level = [&](const double level) {
       run.levels.push_back(level);
       while (stop < levels.stops.size() && level >= levels.stops[stop] * (1 - 1e-12))
         {
-          BranchedRun::Stop at;
+          typename BranchedRun::Stop at;
           at.loading_points = run.levels.size() + 1;
           at.profile        = profile();
           at.unloading      = path.unload_and_return(levels.unloading_steps(stop));
@@ -167,9 +251,10 @@ namespace dpcontact
       scene.force_max / unit_system.force(),
       guess,
       [&](const double level, const CurvePoint &present) {
-        return levels.next(level,
-                           level > 0 ? present.approach / (2 * guess * level * level) : 1.,
-                           stop < levels.stops.size() ? levels.stops[stop] : 1.);
+        return levels.next(
+          level,
+          level > 0 ? present.approach / (symmetry_factor() * guess * level * level) : 1.,
+          stop < levels.stops.size() ? levels.stops[stop] : 1.);
       },
       at_level);
     take_counts(path);
@@ -177,7 +262,8 @@ namespace dpcontact
     return run;
   }
 
-  std::vector<PressurePoint> HalfSpaceModel::profile() const
+  template <int dim>
+  std::vector<PressurePoint> ContactModel<dim>::profile() const
   {
     std::vector<PressurePoint> result;
     for (const auto &[r, p] :
@@ -187,7 +273,68 @@ namespace dpcontact
     return result;
   }
 
-  void HalfSpaceModel::to_si(std::vector<CurvePoint> &branch) const
+  template <int dim>
+  double ContactModel<dim>::axisymmetry_deviation() const
+  {
+    struct Face
+    {
+      double radius, pressure, area;
+    };
+    const auto state = contact_system->contact().state(contact_system->u, contact_system->approach);
+    std::vector<Face> faces;
+    std::size_t       index   = 0;
+    double            largest = 0;
+    for (const auto &face : space->surface())
+      {
+        Face mean{0, 0, 0};
+        bool touches = true;
+        for (const auto &point : face.points)
+          {
+            const double p = state.pressure[index++];
+            touches        = touches && (p > 0 || point.weight <= 0);
+            mean.area += point.weight;
+            mean.pressure += point.weight * p;
+            mean.radius += point.weight * point.radius;
+          }
+        mean.pressure /= mean.area;
+        mean.radius /= mean.area;
+        if (touches)
+          faces.push_back(mean);
+        largest = std::max(largest, mean.pressure);
+      }
+    double covered = 0;
+    for (const Face &face : faces)
+      covered += face.area;
+    // Bins of one element's width.
+    const double                     width = std::sqrt(covered / static_cast<double>(faces.size()));
+    std::map<int, std::vector<Face>> bins;
+    for (const Face &face : faces)
+      bins[static_cast<int>(face.radius / width)].push_back(face);
+    double square = 0, area = 0;
+    for (const auto &[bin, members] : bins)
+      {
+        double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+        for (const Face &face : members)
+          {
+            const double rr = face.radius * face.radius, pp = face.pressure * face.pressure;
+            n += face.area, x += face.area * rr, y += face.area * pp;
+            xx += face.area * rr * rr, xy += face.area * rr * pp;
+          }
+        const double spread = n * xx - x * x;
+        const double slope  = spread > 1e-9 * n * xx ? (n * xy - x * y) / spread : 0.;
+        for (const Face &face : members)
+          {
+            const double pp   = (y - slope * x) / n + slope * face.radius * face.radius;
+            const double left = face.pressure - std::sqrt(std::max(0., pp));
+            square += face.area * left * left;
+            area += face.area;
+          }
+      }
+    return area > 0 ? std::sqrt(square / area) / largest : 0.;
+  }
+
+  template <int dim>
+  void ContactModel<dim>::to_si(std::vector<CurvePoint> &branch) const
   {
     for (auto &point : branch)
       {
@@ -196,9 +343,11 @@ namespace dpcontact
         point.contact_radius *= unit_system.length;
         point.pressure_max *= unit_system.stress;
         point.mises_stress_max *= unit_system.stress;
-        point.plastic_volume *= unit_system.length * unit_system.length * unit_system.length;
+        point.plastic_volume *= unit_system.volume();
         point.dissipated_energy *= unit_system.energy();
         point.plastic_strain_max *= unit_system.displacement / unit_system.length;
       }
   }
+  template class ContactModel<2>;
+  template class ContactModel<3>;
 } // namespace dpcontact

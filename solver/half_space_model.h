@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_HALF_SPACE_MODEL_H
 
 #include "meshing/zones.h"
+#include "solver/checkpoint.h"
 #include "solver/contact_system.h"
 #include "solver/load_path.h"
 #include "solver/solve.h"
@@ -15,36 +16,50 @@ namespace dpcontact
   /// The units in which a model is solved, as factors to SI.
   ///
   /// Scaled: lengths by the contact radius a, displacements by a²/R, stresses by E a/R, and E, a, R
-  /// are 1. Small strain lets lengths and displacements have units of their own; a/R then drops
-  /// out, and only ν, φ and the load level stay. A sphere's surface brings a/R back, as the
-  /// curvature of the mesh and in the gap, and nowhere else.
+  /// are 1; for two bodies R is 2R* and E that of the softer. Small strain lets lengths and
+  /// displacements have units of their own; a/R then drops out, and only ν, φ and the load level
+  /// stay. A sphere's surface brings a/R back, as the curvature of the mesh and in the gap, and
+  /// nowhere else.
   struct UnitSystem
   {
     double length, displacement, stress;
-    double force() const { return stress * length * length; }
+    double share =
+      1; ///< of the bodies that the mesh covers: a wedge carries that share of the force
+    double force() const { return stress * volume() / length; }
+    double volume() const { return length * length * length / share; }
     double energy() const { return force() * displacement; }
   };
 
-  /// The axisymmetric half model of one scene on one mesh: what solve_contact() is made of. The
+  /// One scene on one mesh: what solve_contact() is made of. Two identical spheres are a half
+  /// model, one of them under the mirror plane; others are modelled both, unless one is rigid. A
   /// body is the half-space, or the sphere's cap within the far boundary where options.surface says
-  /// so; beyond the far boundary the half-space's exterior serves both.
-  class HalfSpaceModel
+  /// so; beyond the far boundary the half-space's exterior serves both. dim = 2 is axisymmetry, dim
+  /// = 3 a wedge of space or all of it, over all processes of the communicator.
+  template <int dim>
+  class ContactModel
   {
   public:
     /// @param mesh_radius contact radius that the mesh is fitted to, m.
     /// @throws InputError naming domain-radius where a sphere's far boundary lies beyond its radius.
-    HalfSpaceModel(const Material      &material,
-                   const Scene         &scene,
-                   const SolverOptions &options,
-                   double               mesh_radius);
+    ContactModel(const Material      &material,
+                 const Scene         &scene,
+                 const SolverOptions &options,
+                 double               mesh_radius,
+                 const Communicator  &processes = Communicator());
+
+    /// Scenes' approach and energies over the model's.
+    double symmetry_factor() const { return scene.second ? 1 : 2; }
 
     /// Runs the whole path with `loading_steps` steps up and half as many down, from the virgin
     /// state.
     /// @param at_peak called at the peak, @param at_end after release; may be empty.
+    /// @param checkpoint where the run, and those before it, are kept after every step, and taken
+    /// up where it holds one of that many steps.
     Curve run(unsigned int                 loading_steps,
               const StepObserver          &observer,
-              const std::function<void()> &at_peak = {},
-              const std::function<void()> &at_end  = {});
+              const std::function<void()> &at_peak    = {},
+              const std::function<void()> &at_end     = {},
+              const Checkpoint            &checkpoint = {});
 
     /// Cycles of loading, to each of the forces (N), and release, from the virgin state.
     std::vector<Curve> run_cycles(unsigned int               loading_steps,
@@ -80,29 +95,39 @@ namespace dpcontact
     /// Contact pressure of the present state, from the axis outwards, where it is positive.
     std::vector<PressurePoint> profile() const;
 
-    const UnitSystem            &units() const { return unit_system; }
-    const ContactSystem<2>      &system() const { return *contact_system; }
-    const Discretization<2>     &discretization() const { return *space; }
-    const LoadPath<2>::Counters &counters() const { return counted; }
-    const PathChecks            &checks() const { return checked; }
-    const MeshQuality           &quality() const { return mesh_quality; }
+    /// How far the present contact pressure is from axisymmetric: rms over the area of what the
+    /// faces' means differ by from a profile of r alone (p² linear in r², as in Hertz, over every
+    /// width of an element), over the largest of them. Faces across the edge are left out.
+    double axisymmetry_deviation() const;
+
+    const UnitSystem                       &units() const { return unit_system; }
+    const ContactSystem<dim>               &system() const { return *contact_system; }
+    const Discretization<dim>              &discretization() const { return *space; }
+    const typename LoadPath<dim>::Counters &counters() const { return counted; }
+    const PathChecks                       &checks() const { return checked; }
+    const MeshQuality                      &quality() const { return mesh_quality; }
 
   private:
-    LoadPath<2> start_path(unsigned int loading_steps, const StepObserver &observer);
-    void        to_si(std::vector<CurvePoint> &branch) const;
-    void        take_counts(const LoadPath<2> &path);
+    LoadPath<dim> start_path(unsigned int loading_steps, const StepObserver &observer);
+    void          make_mesh(double mesh_radius);
+    void          to_si(std::vector<CurvePoint> &branch) const;
+    void          take_counts(const LoadPath<dim> &path);
 
-    Scene                              scene;
-    SolverOptions                      options;
-    UnitSystem                         unit_system;
-    double                             peak_approach_guess; ///< per sphere, m
-    dealii::Triangulation<2>           triangulation;
-    MeshQuality                        mesh_quality;
-    std::unique_ptr<Discretization<2>> space;
-    std::unique_ptr<ContactSystem<2>>  contact_system;
-    LoadPath<2>::Counters              counted;
-    PathChecks                         checked;
+    Scene                                scene;
+    SolverOptions                        options;
+    UnitSystem                           unit_system;
+    double                               peak_approach_guess; ///< of the model, m
+    dealii::Triangulation<dim>           triangulation;
+    MeshQuality                          mesh_quality;
+    std::unique_ptr<Discretization<dim>> space;
+    std::unique_ptr<ContactSystem<dim>>  contact_system;
+    typename LoadPath<dim>::Counters     counted;
+    PathChecks                           checked;
+    Arrays                               finished; ///< curves of finished runs, for a checkpoint
   };
+
+  /// In axisymmetry.
+  using HalfSpaceModel = ContactModel<2>;
 } // namespace dpcontact
 
 #endif

@@ -7,8 +7,9 @@
 
 namespace dpcontact::hertz
 {
-  // Two identical elastic spheres (Johnson, Contact Mechanics, 1985, ch. 4). SI units; the approach
-  // is mutual. 1/E* = 2(1−ν²)/E, R* = R/2.
+  // Two elastic spheres (Johnson, Contact Mechanics, 1985, ch. 4). SI units; the approach is
+  // mutual. 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, R* = R₁R₂/(R₁ + R₂); of identical ones 2(1−ν²)/E and
+  // R/2.
 
   inline double effective_modulus(const Material &m)
   {
@@ -16,6 +17,38 @@ namespace dpcontact::hertz
   }
 
   inline double effective_radius(const double radius) { return radius / 2; }
+
+  /// E* of the scene's two bodies.
+  inline double effective_modulus(const Material &m, const Scene &scene)
+  {
+    if (!scene.second)
+      return effective_modulus(m);
+    const auto compliance = [](const Material &body) {
+      return (1 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
+    };
+    return 1 /
+           (compliance(m) + (scene.second->material ? compliance(*scene.second->material) : 0.));
+  }
+
+  /// F(δ) of the scene's two bodies.
+  inline double force(const Material &m, const Scene &scene, const double approach)
+  {
+    return 4. / 3. * effective_modulus(m, scene) * std::sqrt(scene.effective_radius()) *
+           std::pow(approach, 1.5);
+  }
+
+  /// δ(F) of the scene's two bodies.
+  inline double approach(const Material &m, const Scene &scene, const double force)
+  {
+    return std::pow(
+      3 * force / (4 * effective_modulus(m, scene) * std::sqrt(scene.effective_radius())), 2. / 3.);
+  }
+
+  /// a² = R* δ
+  inline double contact_radius(const Scene &scene, const double approach)
+  {
+    return std::sqrt(scene.effective_radius() * approach);
+  }
 
   /// F(δ) = (4/3) E* √R* δ^1.5
   inline double force(const Material &m, const double radius, const double approach)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <tuple>
+#include <type_traits>
 
 namespace dpcontact
 {
@@ -22,15 +22,15 @@ namespace dpcontact
   bool LoadPath<dim>::try_step(const Control control, const double target)
   {
     // While unloading the residual stresses stay, whose rounding the load itself does not measure.
-    const double scale = control != Control::force ? peak_force
-                         : unloading               ? std::max(target, 0.1 * peak_force)
+    const double scale = control != Control::force ? state.peak_force
+                         : state.unloading         ? std::max(target, 0.1 * state.peak_force)
                                                    : target;
     system.set_control(control, target, scale);
     for (unsigned int k = 0; k <= options.max_augmentations; ++k)
       {
         report = solve_newton(system, options.newton);
         count.newton_iterations += static_cast<unsigned int>(report.iterations);
-        iterations_of_point += report.iterations;
+        state.iterations_of_point += report.iterations;
         if (!report.converged)
           return false;
         if (!options.augment || control == Control::released ||
@@ -41,7 +41,8 @@ namespace dpcontact
         ++count.augmentations;
       }
     report.converged = false;
-    report.reason    = "the augmentation of the contact did not converge: a larger penalty-stiffness helps";
+    report.reason =
+      "the augmentation of the contact did not converge: a larger penalty-stiffness helps";
     return false;
   }
 
@@ -62,7 +63,7 @@ namespace dpcontact
         const auto   saved  = system.snapshot();
 
         // What the last step left to the penalty becomes multiplier.
-        if (options.augment && present_force > 0)
+        if (options.augment && state.present_force > 0)
           system.contact().augment(system.u, system.approach);
 
         if (level == 0 && next > level)
@@ -72,17 +73,17 @@ namespace dpcontact
         if (level == 0)
           {
             system.approach =
-              system.contact().bearing_approach(system.u) + approach_guess * next * next;
+              system.contact().bearing_approach(system.u) + state.approach_guess * next * next;
             system.cover(system.contact().hertz_radius(system.approach));
           }
         else if (next > level)
           system.cover(system.reach() * next / level);
 
         // Predictor: the secant in the force's own parameter, where there is one.
-        const double now = present_force;
-        if (options.predict && has_previous && target > 0)
+        const double now = state.present_force;
+        if (options.predict && state.has_previous && target > 0)
           {
-            const double previous = last_force;
+            const double previous = state.last_force;
             const double ratio    = std::clamp((std::pow(target, 2. / 3) - std::pow(now, 2. / 3)) /
                                               (std::pow(now, 2. / 3) - std::pow(previous, 2. / 3)),
                                             0.,
@@ -90,8 +91,8 @@ namespace dpcontact
             if (previous > 0)
               {
                 for (std::size_t i = 0; i < system.u.size(); ++i)
-                  system.u[i] += ratio * (system.u[i] - previous_u[i]);
-                system.approach += ratio * (system.approach - previous_approach);
+                  system.u[i] += ratio * (system.u[i] - state.previous_u[i]);
+                system.approach += ratio * (system.approach - state.previous_approach);
               }
           }
 
@@ -104,15 +105,15 @@ namespace dpcontact
           }
         if (converged)
           {
-            previous_u           = saved.u;
-            previous_approach    = saved.approach;
-            last_force           = now;
-            present_force        = target;
-            has_previous         = true;
-            const auto integrals = system.commit();
-            dissipated += 2 * integrals.dissipation;
+            state.previous_u        = saved.u;
+            state.previous_approach = saved.approach;
+            state.last_force        = now;
+            state.present_force     = target;
+            state.has_previous      = true;
+            const auto integrals    = system.commit();
+            state.dissipated += options.symmetry_factor * integrals.dissipation;
             count.apex_points += integrals.apex_points;
-            last_integrals = integrals;
+            state.last_integrals = integrals;
             check(integrals);
             ++count.steps;
             level = next;
@@ -129,7 +130,7 @@ namespace dpcontact
             if (++halvings > options.max_cut_backs)
               {
                 std::ostringstream message;
-                message << stage << " stopped at force " << now / peak_force
+                message << stage << " stopped at force " << now / state.peak_force
                         << " of the peak: " << report.reason << ", also with the step cut "
                         << options.max_cut_backs << " times";
                 if (std::any_of(system.materials().begin(),
@@ -152,7 +153,7 @@ namespace dpcontact
   template <int dim>
   void LoadPath<dim>::check(const typename ContactSystem<dim>::Integrals &integrals)
   {
-    PathChecks &c  = checked;
+    PathChecks &c  = state.checked;
     c.residual     = std::max(c.residual, report.residuals.back());
     c.yield_excess = std::max(c.yield_excess, integrals.largest_yield_excess);
     if (system.contact_state().active > 0)
@@ -172,18 +173,18 @@ namespace dpcontact
   {
     const auto profile = system.contact().profile(system.u, system.approach);
     CurvePoint point;
-    point.approach       = 2 * system.approach;
+    point.approach       = options.symmetry_factor * system.approach;
     point.force          = system.force();
     point.contact_radius = system.contact().edge_radius(system.u, system.approach);
     point.pressure_max   = 0;
     for (const auto &[r, p] : profile)
       point.pressure_max = std::max(point.pressure_max, p);
-    point.plastic_volume     = last_integrals.plastic_volume;
-    point.plastic_strain_max = last_integrals.plastic_strain_max;
-    point.dissipated_energy  = dissipated;
-    point.mises_stress_max   = last_integrals.mises_stress_max;
-    point.newton_iterations  = iterations_of_point;
-    iterations_of_point      = 0;
+    point.plastic_volume      = state.last_integrals.plastic_volume;
+    point.plastic_strain_max  = state.last_integrals.plastic_strain_max;
+    point.dissipated_energy   = state.dissipated;
+    point.mises_stress_max    = state.last_integrals.mises_stress_max;
+    point.newton_iterations   = state.iterations_of_point;
+    state.iterations_of_point = 0;
     return point;
   }
 
@@ -197,35 +198,49 @@ namespace dpcontact
   }
 
   template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::start_loading(const double peak,
+                                                       const double peak_approach_guess)
+  {
+    state.peak_force     = peak;
+    state.present_force  = 0;
+    state.unloading      = false;
+    state.approach_guess = peak_approach_guess;
+    state.has_previous   = false;
+    system.contact().set_active(true);
+    CurvePoint origin;
+    origin.approach       = options.symmetry_factor * system.contact().touching_approach(system.u);
+    origin.plastic_volume = state.last_integrals.plastic_volume;
+    origin.plastic_strain_max = state.last_integrals.plastic_strain_max;
+    origin.dissipated_energy  = state.dissipated;
+    origin.mises_stress_max   = state.last_integrals.mises_stress_max;
+    origin.force = origin.contact_radius = origin.pressure_max = 0;
+    return {origin};
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::load_step(const double level, const double next, std::vector<CurvePoint> &points)
+  {
+    const double peak = state.peak_force;
+    advance(
+      "loading", [peak](const double tau) { return peak * tau * tau * tau; }, level, next);
+    points.push_back(record());
+    if (observer)
+      observer("loading", next, points.back().newton_iterations);
+  }
+
+  template <int dim>
   std::vector<CurvePoint> LoadPath<dim>::load(const double     peak,
                                               const double     peak_approach_guess,
                                               const NextLevel &next_level,
                                               const std::function<void(double)> &at_level)
   {
-    peak_force     = peak;
-    present_force  = 0;
-    unloading      = false;
-    approach_guess = peak_approach_guess;
-    has_previous   = false;
-    system.contact().set_active(true);
-    CurvePoint origin;
-    origin.approach           = 2 * system.contact().touching_approach(system.u);
-    origin.plastic_volume     = last_integrals.plastic_volume;
-    origin.plastic_strain_max = last_integrals.plastic_strain_max;
-    origin.dissipated_energy  = dissipated;
-    origin.mises_stress_max   = last_integrals.mises_stress_max;
-    origin.force = origin.contact_radius = origin.pressure_max = 0;
-    std::vector<CurvePoint> points{origin};
-
-    const auto force_of = [peak](const double tau) { return peak * tau * tau * tau; };
+    std::vector<CurvePoint> points = start_loading(peak, peak_approach_guess);
     for (double level = 0; level < 1;)
       {
         const double next = next_level(level, points.back());
-        advance("loading", force_of, level, next);
+        load_step(level, next, points);
         level = next;
-        points.push_back(record());
-        if (observer)
-          observer("loading", level, points.back().newton_iterations);
         if (at_level)
           at_level(level);
       }
@@ -239,61 +254,191 @@ namespace dpcontact
   }
 
   template <int dim>
-  std::vector<CurvePoint> LoadPath<dim>::unload(const unsigned int steps)
+  std::vector<CurvePoint> LoadPath<dim>::start_unloading()
   {
     std::vector<CurvePoint> points{record()};
-    unloading             = true;
-    has_previous          = false; // the tangent at the peak is another one now
-    const double peak     = system.force();
-    const auto   force_of = [peak](const double t) { return peak * std::pow(t, 1.5); };
-    const double n        = steps;
-    for (unsigned int i = 0; i < steps; ++i)
-      {
-        advance("unloading", force_of, 1 - i / n, i + 1 == steps ? 0. : 1 - (i + 1) / n);
-        if (i + 1 < steps)
-          points.push_back(record());
-        if (observer)
-          observer("unloading", (i + 1) / n, points.back().newton_iterations);
-      }
-    CurvePoint released     = record();
-    released.approach       = 2 * system.contact().touching_approach(system.u);
-    released.force          = 0;
-    released.contact_radius = 0;
-    released.pressure_max   = 0;
-    points.push_back(released);
+    state.unloading      = true;
+    state.has_previous   = false; // the tangent at the peak is another one now
+    state.unloading_from = system.force();
     return points;
+  }
+
+  template <int dim>
+  void LoadPath<dim>::unload_step(const unsigned int       i,
+                                  const unsigned int       steps,
+                                  std::vector<CurvePoint> &points)
+  {
+    const double n    = steps;
+    const double from = state.unloading_from;
+    const bool   last = i + 1 == steps;
+    advance(
+      "unloading",
+      [from](const double t) { return from * std::pow(t, 1.5); },
+      1 - i / n,
+      last ? 0. : 1 - (i + 1) / n);
+    points.push_back(record());
+    if (observer)
+      observer("unloading", (i + 1) / n, points.back().newton_iterations);
+    if (last)
+      {
+        points.back().approach =
+          options.symmetry_factor * system.contact().touching_approach(system.u);
+        points.back().force          = 0;
+        points.back().contact_radius = 0;
+        points.back().pressure_max   = 0;
+      }
+  }
+
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::unload(const unsigned int steps)
+  {
+    std::vector<CurvePoint> points = start_unloading();
+    for (unsigned int i = 0; i < steps; ++i)
+      unload_step(i, steps, points);
+    return points;
+  }
+
+  template <int dim>
+  void LoadPath<dim>::run(const double                                 peak,
+                          const double                                 peak_approach_guess,
+                          Progress                                    &progress,
+                          const std::function<void(const Progress &)> &keep,
+                          const std::function<void()>                 &at_peak)
+  {
+    if (progress.loading.empty())
+      progress.loading = start_loading(peak, peak_approach_guess);
+    const double n = options.loading_steps;
+    while (progress.loading.size() <= options.loading_steps)
+      {
+        const double done = static_cast<double>(progress.loading.size() - 1);
+        load_step(done / n, (done + 1) / n, progress.loading);
+        // Who goes on from the peak would not know what flowed there: its step is made again.
+        if (keep && progress.loading.size() <= options.loading_steps)
+          keep(progress);
+      }
+    if (!progress.unloading)
+      {
+        if (at_peak)
+          at_peak();
+        progress.unloaded  = start_unloading();
+        progress.unloading = true;
+      }
+    while (progress.unloaded.size() <= options.unloading_steps)
+      {
+        unload_step(static_cast<unsigned int>(progress.unloaded.size() - 1),
+                    options.unloading_steps,
+                    progress.unloaded);
+        if (keep && progress.unloaded.size() <= options.unloading_steps)
+          keep(progress);
+      }
   }
 
   template <int dim>
   std::vector<CurvePoint> LoadPath<dim>::unload_and_return(const unsigned int steps)
   {
-    const auto   state   = system.snapshot();
-    const auto   before  = std::make_tuple(previous_u,
-                                        previous_approach,
-                                        has_previous,
-                                        present_force,
-                                        last_force,
-                                        last_integrals,
-                                        dissipated,
-                                        checked,
-                                        peak_force);
-    const double force   = system.force();
-    peak_force           = force;
-    const auto points    = unload(steps);
-    std::tie(previous_u,
-             previous_approach,
-             has_previous,
-             present_force,
-             last_force,
-             last_integrals,
-             dissipated,
-             checked,
-             peak_force) = before;
-    unloading            = false;
-    system.restore(state);
-    system.set_control(Control::force, force, peak_force);
+    const auto   system_before = system.snapshot();
+    const State  before        = state;
+    const double force         = system.force();
+    state.peak_force           = force;
+    const auto points          = unload(steps);
+    state                      = before;
+    state.iterations_of_point  = 0;
+    state.unloading            = false;
+    system.restore(system_before);
+    system.set_control(Control::force, force, state.peak_force);
     system.residual();
     return points;
+  }
+
+  namespace
+  {
+    /// All numbers of a path's state, in one order: `visit(double &)`, `visit(int &)`, …
+    template <class State, class Visit>
+    void visit_numbers(State &state, const Visit &visit)
+    {
+      for (auto *const number : {&state.peak_force,
+                                 &state.unloading_from,
+                                 &state.approach_guess,
+                                 &state.dissipated,
+                                 &state.present_force,
+                                 &state.last_force,
+                                 &state.previous_approach})
+        visit(*number);
+      auto &integrals = state.last_integrals;
+      for (auto *const number : {&integrals.plastic_volume,
+                                 &integrals.dissipation,
+                                 &integrals.mean_dissipation,
+                                 &integrals.work,
+                                 &integrals.elastic_energy,
+                                 &integrals.mises_stress_max,
+                                 &integrals.plastic_strain_max,
+                                 &integrals.largest_yield_excess})
+        visit(*number);
+      auto &checked = state.checked;
+      for (auto *const number : {&checked.residual,
+                                 &checked.yield_excess,
+                                 &checked.penetration,
+                                 &checked.work,
+                                 &checked.largest_work,
+                                 &checked.elastic_energy,
+                                 &checked.dissipation,
+                                 &checked.mean_dissipation,
+                                 &checked.energy_error})
+        visit(*number);
+      visit(state.unloading);
+      visit(state.iterations_of_point);
+      visit(integrals.apex_points);
+      visit(state.has_previous);
+    }
+
+    template <class Counters, class Visit>
+    void visit_counters(Counters &counters, const Visit &visit)
+    {
+      for (auto *const number : {&counters.steps,
+                                 &counters.newton_iterations,
+                                 &counters.cut_backs,
+                                 &counters.augmentations,
+                                 &counters.apex_points})
+        visit(*number);
+    }
+  } // namespace
+
+  template <int dim>
+  Arrays LoadPath<dim>::save() const
+  {
+    Arrays saved       = system.save();
+    saved["previous"]  = state.previous_u;
+    auto      &numbers = saved["path"];
+    const auto keep    = [&numbers](const auto &number) {
+      numbers.push_back(static_cast<double>(number));
+    };
+    visit_numbers(state, keep);
+    visit_counters(count, keep);
+    return saved;
+  }
+
+  template <int dim>
+  void LoadPath<dim>::restore(const Arrays &saved)
+  {
+    system.restore(saved);
+    state.previous_u          = array(saved, "previous", {0, system.u.size()});
+    std::size_t total         = 0;
+    const auto  count_numbers = [&total](const auto &) { ++total; };
+    visit_numbers(state, count_numbers);
+    visit_counters(count, count_numbers);
+    const auto &numbers = array(saved, "path", {total});
+    std::size_t next    = 0;
+    const auto  take    = [&](auto &number) {
+      number = static_cast<std::decay_t<decltype(number)>>(numbers[next++]);
+    };
+    visit_numbers(state, take);
+    visit_counters(count, take);
+    system.contact().set_active(true);
+    if (state.present_force > 0)
+      {
+        system.set_control(Control::force, state.present_force, state.peak_force);
+        system.residual();
+      }
   }
 
   template class LoadPath<2>;

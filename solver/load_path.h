@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_SOLVER_LOAD_PATH_H
 #define DPCONTACT_SOLVER_LOAD_PATH_H
 
+#include "solver/arrays.h"
 #include "solver/contact_system.h"
 #include "solver/curve.h"
 #include "solver/newton.h"
@@ -23,10 +24,12 @@ namespace dpcontact
   public:
     struct Options
     {
-      unsigned int  loading_steps         = 20;
-      unsigned int  unloading_steps       = 8;
-      bool          augment               = true;
-      bool          predict               = true; ///< extrapolate the last step into the next
+      unsigned int loading_steps   = 20;
+      unsigned int unloading_steps = 8;
+      bool         augment         = true;
+      bool         predict         = true; ///< extrapolate the last step into the next
+      /// Approach and energies of the scene over those of the model: 2 of a half model.
+      double        symmetry_factor       = 2;
       double        penetration_tolerance = 1e-6; ///< largest gap violation over the approach
       unsigned int  max_augmentations     = 20;
       unsigned int  max_cut_backs         = 10; ///< halvings of one nominal step
@@ -60,12 +63,33 @@ namespace dpcontact
     /// unload() in `steps` steps, after which system and path are as before.
     std::vector<CurvePoint> unload_and_return(unsigned int steps);
 
+    /// Where a path stands between two points of its curve: what save() and restore() carry.
+    struct Progress
+    {
+      bool                    unloading = false; ///< branch of the next point
+      std::vector<CurvePoint> loading, unloaded; ///< points so far; with the peak both have it
+    };
+
+    /// load() and unload(), in the steps of the options, going on from `progress` where that holds
+    /// points. `keep` is called at every point but the last.
+    void run(double                                       peak,
+             double                                       peak_approach_guess,
+             Progress                                    &progress,
+             const std::function<void(const Progress &)> &keep,
+             const std::function<void()>                 &at_peak);
+
+    /// Everything that a path needs to go on from the present state, without its points. Every
+    /// process gets all of it.
+    Arrays save() const;
+    /// @throws InputError where `saved` is not of this mesh and material.
+    void restore(const Arrays &saved);
+
     /// From the present state to separation; the first point is the present one, the last is free
     /// of contact, its approach that at which the plane would touch the deformed surface.
     std::vector<CurvePoint> unload();
 
     const Counters   &counters() const { return count; }
-    const PathChecks &checks() const { return checked; }
+    const PathChecks &checks() const { return state.checked; }
     /// Newton's residuals in the last step, for convergence tests.
     const NewtonReport &last_newton() const { return report; }
 
@@ -81,23 +105,36 @@ namespace dpcontact
     void                    check(const typename ContactSystem<dim>::Integrals &integrals);
     CurvePoint              record();
 
+    std::vector<CurvePoint> start_loading(double peak, double peak_approach_guess);
+    std::vector<CurvePoint> start_unloading();
+    /// The i-th of `steps` steps of unloading, and its point.
+    void unload_step(unsigned int i, unsigned int steps, std::vector<CurvePoint> &points);
+    void load_step(double level, double next, std::vector<CurvePoint> &points);
+
     ContactSystem<dim> &system;
     Options             options;
     StepObserver        observer;
     Counters            count;
-    PathChecks          checked; ///< energies of one sphere
     NewtonReport        report;
-    double              peak_force          = 0;
-    bool                unloading           = false;
-    double              approach_guess      = 0; ///< at the peak
-    double              dissipated          = 0;
-    int                 iterations_of_point = 0;
-    double              present_force       = 0; ///< of the converged state
-    double              last_force = 0; ///< force of the converged state before the present one
-    typename ContactSystem<dim>::Integrals last_integrals;
-    std::vector<double> previous_u; ///< the converged state before the present one
-    double              previous_approach = 0;
-    bool                has_previous      = false;
+
+    /// What changes from step to step besides the system and the counters.
+    struct State
+    {
+      PathChecks checked; ///< energies of the model
+      double     peak_force          = 0;
+      bool       unloading           = false;
+      double     unloading_from      = 0; ///< force
+      double     approach_guess      = 0; ///< at the peak
+      double     dissipated          = 0;
+      int        iterations_of_point = 0;
+      double     present_force       = 0; ///< of the converged state
+      double     last_force          = 0; ///< of the converged state before the present one
+      typename ContactSystem<dim>::Integrals last_integrals;
+      std::vector<double> previous_u; ///< the converged state before the present one
+      double              previous_approach = 0;
+      bool                has_previous      = false;
+    };
+    State state;
   };
 } // namespace dpcontact
 

@@ -22,22 +22,14 @@ namespace dpcontact
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   }
 
-  void add_cost(Cost &cost, const HalfSpaceModel &model)
-  {
-    cost.dofs = model.discretization().n_free();
-    cost.steps += model.counters().steps;
-    cost.newton_iterations += model.counters().newton_iterations;
-    cost.cut_backs += model.counters().cut_backs;
-  }
-
   Pilot run_pilots(const Material     &material,
                    const Scene        &scene,
                    const FirstYield   &yield,
                    Cost               &cost,
                    const StepObserver &observer)
   {
-    const double elastic = hertz::approach(material, scene.radius, scene.force_max);
-    Pilot        pilot{hertz::contact_radius(scene.radius, elastic), 1};
+    const double elastic = hertz::approach(material, scene, scene.force_max);
+    Pilot        pilot{hertz::contact_radius(scene, elastic), 1};
     if (scene.force_max <= yield.onset_force())
       return pilot;
     // Defaults but for the mesh: what is varied in a study must not move the mesh it is studied on.

@@ -29,7 +29,14 @@ namespace dpcontact
                    const StepObserver &observer);
 
   /// Adds what the model's last run cost.
-  void add_cost(Cost &cost, const HalfSpaceModel &model);
+  template <int dim>
+  void add_cost(Cost &cost, const ContactModel<dim> &model)
+  {
+    cost.dofs = model.discretization().n_free();
+    cost.steps += model.counters().steps;
+    cost.newton_iterations += model.counters().newton_iterations;
+    cost.cut_backs += model.counters().cut_backs;
+  }
 
   /// Largest memory that this process has held, bytes.
   std::uint64_t peak_memory();

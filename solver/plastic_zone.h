@@ -65,7 +65,7 @@ namespace dpcontact
     flowing  ///< those that yield in the present load step
   };
 
-  /// The zone at the state last committed to the system.
+  /// The first body's zone at the state last committed to the system.
   /// @param length factor from the system's unit of length to m.
   PlasticZone
   plastic_zone(const ContactSystem<2> &system, double length, ZoneRule rule = ZoneRule::yielded);

@@ -9,7 +9,9 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 
 namespace dpcontact
@@ -34,91 +36,135 @@ namespace dpcontact
       return std::sqrt(1.5 * (s * s));
     }
 
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
     const char *const component_names_2d[] = {"stress_rr", "stress_yy", "stress_tt", "stress_ry"};
     const char *const component_names_3d[] =
       {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_xz", "stress_yz"};
   } // namespace
 
-  template <int dim>
-  void write_fields(const ContactSystem<dim> &system,
+  namespace
+  {
+    template <int dim>
+    void write_body(const ContactSystem<dim> &system,
+                    const unsigned int        body,
                     const double              length,
                     const double              displacement_factor,
                     const double              stress_factor,
                     const std::string        &file)
+    {
+      const auto &space     = system.discretization();
+      const auto &processes = space.communicator();
+
+      // DataOut takes positions from the mesh: scale a copy of it and of the nodal values.
+      dealii::Triangulation<dim> mesh;
+      mesh.copy_triangulation(space.dof_handler().get_triangulation());
+      dealii::GridTools::scale(length, mesh);
+      dealii::DoFHandler<dim> nodes(mesh);
+      nodes.distribute_dofs(space.dof_handler().get_fe());
+      dealii::Vector<double> displacement = space.distribute(system.u, body);
+      displacement *= displacement_factor;
+
+      const dealii::FE_DGQ<dim> linear(1);
+      dealii::DoFHandler<dim>   cells(mesh);
+      cells.distribute_dofs(linear);
+      const auto                          project  = projection<dim>(space.points_per_direction());
+      const unsigned int                  n_values = Kinematics<dim>::n_strains + 3;
+      std::vector<dealii::Vector<double>> fields(n_values, dealii::Vector<double>(cells.n_dofs()));
+      dealii::Vector<double>              at_points(static_cast<unsigned int>(project.n()));
+      dealii::Vector<double>              at_corners(static_cast<unsigned int>(project.m()));
+      std::vector<dealii::types::global_dof_index> local(linear.n_dofs_per_cell());
+      // Values of this process' cells stay at their place; others are not written.
+      std::vector<std::size_t> first_point(mesh.n_active_cells(), none);
+      std::size_t              next = 0;
+      for (const auto &cell : space.cells())
+        {
+          if (cell.body == body)
+            first_point[cell.index] = next;
+          next += cell.points.size();
+        }
+      for (const auto &cell : cells.active_cell_iterators())
+        {
+          const std::size_t first = first_point[cell->active_cell_index()];
+          if (first == none)
+            continue;
+          cell->get_dof_indices(local);
+          for (unsigned int v = 0; v < n_values; ++v)
+            {
+              for (unsigned int q = 0; q < at_points.size(); ++q)
+                {
+                  const auto &sigma = system.stresses()[first + q];
+                  if (v < Kinematics<dim>::n_strains)
+                    {
+                      const auto [i, j] = Kinematics<dim>::positions[v];
+                      at_points[q]      = stress_factor * sigma[i][j];
+                    }
+                  else if (v == Kinematics<dim>::n_strains)
+                    at_points[q] = -stress_factor * dealii::trace(sigma) / 3;
+                  else if (v == Kinematics<dim>::n_strains + 1)
+                    at_points[q] = stress_factor * mises(sigma);
+                  else
+                    at_points[q] =
+                      displacement_factor / length * system.accumulated_plastic_strain()[first + q];
+                }
+              project.vmult(at_corners, at_points);
+              for (unsigned int i = 0; i < local.size(); ++i)
+                fields[v][local[i]] = at_corners[i];
+            }
+        }
+
+      dealii::DataOut<dim> output;
+      output.add_data_vector(
+        nodes,
+        displacement,
+        std::vector<std::string>(dim, "displacement"),
+        std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>(
+          dim, dealii::DataComponentInterpretation::component_is_part_of_vector));
+      for (unsigned int v = 0; v < n_values; ++v)
+        {
+          const unsigned int extra = v - Kinematics<dim>::n_strains;
+          const std::string  name  = v < Kinematics<dim>::n_strains
+                                       ? (dim == 2 ? component_names_2d[v] : component_names_3d[v])
+                                     : extra == 0 ? "pressure"
+                                     : extra == 1 ? "mises_stress"
+                                                  : "plastic_strain";
+          output.add_data_vector(cells, fields[v], name);
+        }
+      output.set_cell_selection([&](const auto &cell) {
+        return cell->is_active() && first_point[cell->active_cell_index()] != none;
+      });
+      output.build_patches(space.dof_handler().get_fe().degree);
+      const auto piece = [&](const unsigned int rank) {
+        return file + (processes.alone() ? "" : "." + std::to_string(rank)) + ".vtu";
+      };
+      const auto write = [](const std::string &name, const auto &writer) {
+        std::ofstream stream(name);
+        writer(stream);
+        stream.close();
+        if (!stream)
+          throw FileError("cannot write the fields to '" + name +
+                          "': check that the directory exists and is writable");
+      };
+      write(piece(processes.rank()), [&](std::ostream &stream) { output.write_vtu(stream); });
+      if (processes.alone() || processes.rank() != 0)
+        return;
+      std::vector<std::string> pieces;
+      for (unsigned int rank = 0; rank < processes.size(); ++rank)
+        pieces.push_back(std::filesystem::path(piece(rank)).filename());
+      write(file + ".pvtu",
+            [&](std::ostream &stream) { output.write_pvtu_record(stream, pieces); });
+    }
+  } // namespace
+
+  template <int dim>
+  void write_fields(const ContactSystem<dim> &system,
+                    const double              length,
+                    const double              displacement,
+                    const double              stress,
+                    const std::string        &file)
   {
-    const auto &space = system.discretization();
-
-    // DataOut takes positions from the mesh: scale a copy of it and of the nodal values.
-    dealii::Triangulation<dim> mesh;
-    mesh.copy_triangulation(space.dof_handler().get_triangulation());
-    dealii::GridTools::scale(length, mesh);
-    dealii::DoFHandler<dim> nodes(mesh);
-    nodes.distribute_dofs(space.dof_handler().get_fe());
-    dealii::Vector<double> displacement = space.distribute(system.u);
-    displacement *= displacement_factor;
-
-    const dealii::FE_DGQ<dim> linear(1);
-    dealii::DoFHandler<dim>   cells(mesh);
-    cells.distribute_dofs(linear);
-    const auto                          project  = projection<dim>(space.points_per_direction());
-    const unsigned int                  n_values = Kinematics<dim>::n_strains + 3;
-    std::vector<dealii::Vector<double>> fields(n_values, dealii::Vector<double>(cells.n_dofs()));
-    dealii::Vector<double>              at_points(static_cast<unsigned int>(project.n()));
-    dealii::Vector<double>              at_corners(static_cast<unsigned int>(project.m()));
-    std::vector<dealii::types::global_dof_index> local(linear.n_dofs_per_cell());
-    std::size_t                                  first = 0;
-    for (const auto &cell : cells.active_cell_iterators())
-      {
-        cell->get_dof_indices(local);
-        for (unsigned int v = 0; v < n_values; ++v)
-          {
-            for (unsigned int q = 0; q < at_points.size(); ++q)
-              {
-                const auto &sigma = system.stresses()[first + q];
-                if (v < Kinematics<dim>::n_strains)
-                  {
-                    const auto [i, j] = Kinematics<dim>::positions[v];
-                    at_points[q]      = stress_factor * sigma[i][j];
-                  }
-                else if (v == Kinematics<dim>::n_strains)
-                  at_points[q] = -stress_factor * dealii::trace(sigma) / 3;
-                else if (v == Kinematics<dim>::n_strains + 1)
-                  at_points[q] = stress_factor * mises(sigma);
-                else
-                  at_points[q] =
-                    displacement_factor / length * system.accumulated_plastic_strain()[first + q];
-              }
-            project.vmult(at_corners, at_points);
-            for (unsigned int i = 0; i < local.size(); ++i)
-              fields[v][local[i]] = at_corners[i];
-          }
-        first += at_points.size();
-      }
-
-    dealii::DataOut<dim> output;
-    output.add_data_vector(
-      nodes,
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>(
-        dim, dealii::DataComponentInterpretation::component_is_part_of_vector));
-    for (unsigned int v = 0; v < n_values; ++v)
-      {
-        const unsigned int extra = v - Kinematics<dim>::n_strains;
-        const std::string  name  = v < Kinematics<dim>::n_strains
-                                     ? (dim == 2 ? component_names_2d[v] : component_names_3d[v])
-                                   : extra == 0 ? "pressure"
-                                   : extra == 1 ? "mises_stress"
-                                                : "plastic_strain";
-        output.add_data_vector(cells, fields[v], name);
-      }
-    output.build_patches(2);
-    std::ofstream stream(file);
-    output.write_vtu(stream);
-    stream.close();
-    if (!stream)
-      throw FileError("cannot write the fields to '" + file +
-                      "': check that the directory exists and is writable");
+    for (unsigned int body = 0; body < system.discretization().n_bodies(); ++body)
+      write_body(system, body, length, displacement, stress, file + (body == 0 ? "" : "-2"));
   }
 
   std::vector<AxisPoint> axis_profile(const ContactSystem<2> &system)
@@ -163,6 +209,8 @@ namespace dpcontact
     for (const auto &cell : system.discretization().cells())
       for (const auto &point : cell.points)
         {
+          if (cell.body > 0)
+            return states;
           const laws::StressTensor sigma = stress * system.stresses()[index];
           PointState               state;
           state.radius           = point.position[0] * length;

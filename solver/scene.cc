@@ -100,9 +100,27 @@ namespace dpcontact
                      "' is not one of drucker-prager, von-mises, mohr-coulomb");
   }
 
+  double Scene::effective_radius() const
+  {
+    return second ? 1 / (1 / radius + 1 / second->radius) : radius / 2;
+  }
+
   void Scene::check() const
   {
     require_positive("sphere radius R", radius, " m");
     require_positive("peak force F_max", force_max, " N");
+    if (!second)
+      return;
+    if (!(second->radius > 0))
+      refuse("second radius R2", second->radius, " m", "positive (infinite for a flat)");
+    if (second->material)
+      try
+        {
+          second->material->check();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(std::string("second body: ") + error.what());
+        }
   }
 } // namespace dpcontact

@@ -21,6 +21,7 @@ namespace dpcontact
   {
     constexpr unsigned int first_loading_steps = 16;
     constexpr unsigned int most_loading_steps  = 1024;
+    constexpr unsigned int largest_direct      = 30000; ///< unknowns, see runs/benchmark
 
     void check_option(const bool holds, const char *name, const double value, const char *range)
     {
@@ -61,8 +62,56 @@ namespace dpcontact
       }
   }
 
+  SolverOptions SolverOptions::of(const Geometry geometry)
+  {
+    SolverOptions options;
+    options.geometry = geometry;
+    if (in_space(geometry))
+      {
+        options.element    = Element::linear_mean_dilatation;
+        options.resolution = 12;
+      }
+    if (geometry == Geometry::published)
+      options.mesh = MeshKind::published;
+    return options;
+  }
+
+  double SolverOptions::angle() const
+  {
+    return geometry == Geometry::disc     ? 2 * M_PI
+           : geometry == Geometry::sector ? sector_angle * (M_PI / 180)
+                                          : M_PI / 2;
+  }
+
+  LinearSolver linear_solver(const SolverOptions &options, const unsigned int n_unknowns)
+  {
+    if (options.linear_solver != LinearSolver::automatic)
+      return options.linear_solver;
+    return n_unknowns <= largest_direct ? LinearSolver::direct : LinearSolver::iterative;
+  }
+
   void SolverOptions::check() const
   {
+    check_option(
+      sector_angle == 90 || sector_angle == 45, "sector-angle", sector_angle, "90 or 45");
+    if (in_space(geometry))
+      {
+        const std::string in = std::string("in space (geometry = ") + to_string(geometry) + ") ";
+        if (element == Element::serendipity_reduced)
+          throw InputError(in +
+                           "element = serendipity is not for contact: nodes inside a face would "
+                           "bear pressure without a displacement; take brick or quadratic");
+        if (surface == Surface::sphere)
+          throw InputError(
+            in + "surface = sphere is not modelled: take parabola, or the axisymmetric geometry");
+        if (octaves > 0 || mesh_distortion > 0)
+          throw InputError(
+            in + "octaves and mesh-distortion must be 0: they are for the axisymmetric geometry");
+      }
+    if ((geometry == Geometry::published) != (mesh == MeshKind::published) && in_space(geometry))
+      throw InputError(std::string("geometry = ") + to_string(geometry) +
+                       " does not go with mesh = " + to_string(mesh) + ": leave mesh out");
+
     check_option(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
     check_option(surface_halvings.value_or(0) <= 4,
                  "surface-halvings",
@@ -96,16 +145,151 @@ namespace dpcontact
                  "above 0 and at most 1e9, beyond which the rounding of the gap moves the force");
   }
 
+  namespace
+  {
+    /// What the peak tells beyond its point on the curve.
+    template <int dim>
+    void enter_peak(const ContactModel<dim> &model, const bool points, Solution &solution)
+    {
+      const UnitSystem &units = model.units();
+      solution.peak_profile   = model.profile();
+      if constexpr (dim == 2)
+        {
+          solution.peak_axis.clear();
+          for (const auto &[depth, axial, radial] : axis_profile(model.system()))
+            solution.peak_axis.push_back(
+              {depth * units.length, axial * units.stress, radial * units.stress});
+          solution.plastic_zone = plastic_zone(model.system(), units.length);
+          solution.flow_zone    = plastic_zone(model.system(), units.length, ZoneRule::flowing);
+          if (points)
+            solution.peak_points =
+              point_states(model.system(), units.length, units.displacement, units.stress);
+        }
+      else
+        {
+          solution.axisymmetry_deviation = model.axisymmetry_deviation();
+          (void)points;
+        }
+    }
+
+    /// Runs with halved steps until the curve is as accurate as asked for.
+    template <int dim>
+    void solve_on(const Material      &material,
+                  const Scene         &scene,
+                  const SolverOptions &options,
+                  const std::string   &fields_directory,
+                  const StepObserver  &observer,
+                  const Communicator  &processes,
+                  const Checkpoint    &checkpoint,
+                  Solution            &solution)
+    {
+      SolverOptions    &used = solution.used;
+      ContactModel<dim> model(material, scene, used, solution.mesh_radius, processes);
+      solution.mesh_quality = model.quality();
+      const auto write      = [&](const char *name) {
+        if (!fields_directory.empty())
+          write_fields(model.system(),
+                       model.units().length,
+                       model.units().displacement,
+                       model.units().stress,
+                       fields_directory + "/" + name);
+      };
+      const auto at_peak = [&] {
+        enter_peak(model, !fields_directory.empty(), solution);
+        write("peak");
+      };
+      const auto at_end = [&] { write("released"); };
+
+      unsigned int steps =
+        options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
+      Curve coarse         = model.run(steps, observer, {}, {}, checkpoint);
+      bool  coarse_was_cut = model.counters().cut_backs > 0;
+      add_cost(solution.cost, model);
+      std::optional<Curve> extrapolated; // from the two runs before
+      for (;;)
+        {
+          steps *= 2;
+          Curve fine = model.run(steps, observer, at_peak, at_end, checkpoint);
+          add_cost(solution.cost, model);
+          solution.apex_points    = model.counters().apex_points;
+          solution.checks         = model.checks();
+          const double difference = step_difference(coarse, fine);
+          // Steps that were cut are no longer twice the finer ones: nothing is known to cancel
+          // then.
+          const bool           fine_was_cut = model.counters().cut_backs > 0;
+          const double         share        = coarse_was_cut || fine_was_cut ? 1.
+                                              : extrapolated                 ? share_of_difference
+                                                             : share_of_first_difference;
+          std::optional<Curve> finer;
+          if (!options.extrapolation)
+            solution.step_error = difference; // what is left of a first-order error
+          else
+            try
+              {
+                finer               = extrapolate_steps(coarse, fine);
+                solution.step_error = share * difference;
+                if (extrapolated)
+                  solution.step_error = std::max(solution.step_error,
+                                                 share_of_extrapolated_difference *
+                                                   step_difference(*extrapolated, *finer));
+              }
+            catch (const StepsTooLarge &)
+              {
+                solution.step_error = difference; // not yet a curve: halve the steps once more
+              }
+          const bool enough =
+            options.loading_steps > 0
+              ? steps == options.loading_steps
+              : solution.step_error <= options.step_tolerance && !(coarse_was_cut || fine_was_cut);
+          if (enough && (finer || !options.extrapolation))
+            {
+              solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
+              solution.coarser_share = extrapolated ? share_of_extrapolated_difference
+                                       : finer      ? share_of_first_difference
+                                                    : 1.;
+              solution.curve         = finer ? *finer : fine;
+              used.loading_steps     = steps;
+              break;
+            }
+          if (enough && options.loading_steps > 0)
+            throw SolverError("with loading-steps " + std::to_string(steps) +
+                              " the extrapolated curve is not monotone: ask for more steps");
+          if (2 * steps > most_loading_steps && options.loading_steps == 0)
+            {
+              std::ostringstream message;
+              message << "step-tolerance " << options.step_tolerance << " is not reached with "
+                      << steps << " load steps: the error is estimated at " << solution.step_error
+                      << "; ask for a larger tolerance or refine the mesh (resolution)";
+              throw SolverError(message.str());
+            }
+          coarse         = std::move(fine);
+          extrapolated   = std::move(finer);
+          coarse_was_cut = fine_was_cut;
+        }
+      solution.cost.linear_solves     = model.system().linear_solves();
+      solution.cost.linear_iterations = model.system().linear_iterations();
+    }
+  } // namespace
+
   Solution solve_contact(const Material      &material,
                          const Scene         &scene,
                          const SolverOptions &options,
                          const std::string   &fields_directory,
-                         const StepObserver  &observer)
+                         const StepObserver  &observer,
+                         const Communicator  &processes,
+                         const Checkpoint    &checkpoint)
   {
     const auto start = std::chrono::steady_clock::now();
     material.check();
     scene.check();
     options.check();
+    if (!processes.alone() && !in_space(options.geometry))
+      throw InputError(
+        "geometry = axisymmetric is solved by one process: leave mpirun out, or ask for "
+        "a geometry in space");
+    if (scene.second && options.surface == Surface::sphere)
+      throw InputError(
+        "surface = sphere is not modelled for two bodies that differ: take parabola");
     if (!fields_directory.empty())
       {
         std::error_code error;
@@ -115,7 +299,7 @@ namespace dpcontact
                           "': check the path and its permissions");
       }
 
-    const FirstYield yield = first_yield(material, scene.radius);
+    const FirstYield yield = first_yield(material, scene);
     if (options.closed_form && options.surface == Surface::parabola && fields_directory.empty() &&
         material.onset_is_known() && scene.force_max <= yield.onset_force())
       {
@@ -129,109 +313,27 @@ namespace dpcontact
       }
 
     Solution solution;
-    solution.yield      = yield;
-    const Pilot   pilot = run_pilots(material, scene, solution.yield, solution.cost, observer);
-    SolverOptions used  = options;
-    if (!used.surface_halvings)
-      used.surface_halvings = pilot.approach > strongly_plastic ? 1 : 0;
+    solution.yield       = yield;
+    const Pilot pilot    = run_pilots(material, scene, solution.yield, solution.cost, observer);
+    solution.mesh_radius = processes.broadcast(pilot.contact_radius);
+    solution.used        = options;
+    if (!solution.used.surface_halvings)
+      solution.used.surface_halvings =
+        processes.broadcast(pilot.approach) > strongly_plastic && !in_space(options.geometry) ? 1
+                                                                                              : 0;
+    if (in_space(options.geometry))
+      solve_on<3>(
+        material, scene, options, fields_directory, observer, processes, checkpoint, solution);
+    else
+      solve_on<2>(
+        material, scene, options, fields_directory, observer, processes, checkpoint, solution);
 
-    HalfSpaceModel model(material, scene, used, pilot.contact_radius);
-    solution.mesh_radius  = pilot.contact_radius;
-    solution.mesh_quality = model.quality();
-    const auto write      = [&](const char *name) {
-      if (!fields_directory.empty())
-        write_fields(model.system(),
-                     model.units().length,
-                     model.units().displacement,
-                     model.units().stress,
-                     fields_directory + "/" + name);
-    };
-    const auto at_peak = [&] {
-      solution.peak_profile = model.profile();
-      solution.peak_axis.clear();
-      for (const auto &[depth, axial, radial] : axis_profile(model.system()))
-        solution.peak_axis.push_back({depth * model.units().length,
-                                      axial * model.units().stress,
-                                      radial * model.units().stress});
-      solution.plastic_zone = plastic_zone(model.system(), model.units().length);
-      solution.flow_zone    = plastic_zone(model.system(), model.units().length, ZoneRule::flowing);
-      if (!fields_directory.empty())
-        solution.peak_points = point_states(
-          model.system(), model.units().length, model.units().displacement, model.units().stress);
-      write("peak.vtu");
-    };
-
-    unsigned int steps =
-      options.loading_steps > 0 ? coarsest(options.loading_steps) : first_loading_steps;
-    Curve coarse         = model.run(steps, observer);
-    bool  coarse_was_cut = model.counters().cut_backs > 0;
-    add_cost(solution.cost, model);
-    std::optional<Curve> extrapolated; // from the two runs before
-    for (;;)
-      {
-        steps *= 2;
-        Curve fine = model.run(steps, observer, at_peak, [&] { write("released.vtu"); });
-        add_cost(solution.cost, model);
-        solution.apex_points    = model.counters().apex_points;
-        solution.checks         = model.checks();
-        const double difference = step_difference(coarse, fine);
-        // Steps that were cut are no longer twice the finer ones: nothing is known to cancel then.
-        const bool           fine_was_cut = model.counters().cut_backs > 0;
-        const double         share        = coarse_was_cut || fine_was_cut ? 1.
-                                            : extrapolated                 ? share_of_difference
-                                                           : share_of_first_difference;
-        std::optional<Curve> finer;
-        if (!options.extrapolation)
-          solution.step_error = difference; // what is left of a first-order error
-        else
-          try
-            {
-              finer               = extrapolate_steps(coarse, fine);
-              solution.step_error = share * difference;
-              if (extrapolated)
-                solution.step_error = std::max(solution.step_error,
-                                               share_of_extrapolated_difference *
-                                                 step_difference(*extrapolated, *finer));
-            }
-          catch (const StepsTooLarge &)
-            {
-              solution.step_error = difference; // not yet a curve: halve the steps once more
-            }
-        const bool enough =
-          options.loading_steps > 0
-            ? steps == options.loading_steps
-            : solution.step_error <= options.step_tolerance && !(coarse_was_cut || fine_was_cut);
-        if (enough && (finer || !options.extrapolation))
-          {
-            solution.coarser_steps = extrapolated ? *extrapolated : finer ? fine : coarse;
-            solution.coarser_share = extrapolated ? share_of_extrapolated_difference
-                                     : finer      ? share_of_first_difference
-                                                  : 1.;
-            solution.curve         = finer ? *finer : fine;
-            used.loading_steps     = steps;
-            break;
-          }
-        if (enough && options.loading_steps > 0)
-          throw SolverError("with loading-steps " + std::to_string(steps) +
-                            " the extrapolated curve is not monotone: ask for more steps");
-        if (2 * steps > most_loading_steps && options.loading_steps == 0)
-          {
-            std::ostringstream message;
-            message << "step-tolerance " << options.step_tolerance << " is not reached with "
-                    << steps << " load steps: the error is estimated at " << solution.step_error
-                    << "; ask for a larger tolerance or refine the mesh (resolution)";
-            throw SolverError(message.str());
-          }
-        coarse         = std::move(fine);
-        extrapolated   = std::move(finer);
-        coarse_was_cut = fine_was_cut;
-      }
-
-    solution.used = used;
     add_warnings(scene, solution);
+    solution.cost.processes = processes.size();
     solution.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    solution.cost.peak_memory_bytes = peak_memory();
+    solution.cost.peak_memory_bytes =
+      static_cast<std::uint64_t>(processes.sum(static_cast<double>(peak_memory())));
     return solution;
   }
 } // namespace dpcontact

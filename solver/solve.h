@@ -3,9 +3,13 @@
 
 #include "meshing/mesh_kind.h"
 #include "meshing/mesh_quality.h"
+#include "solver/checkpoint.h"
+#include "solver/communicator.h"
 #include "solver/curve.h"
 #include "solver/element.h"
 #include "solver/first_yield.h"
+#include "solver/geometry.h"
+#include "solver/linear_solver.h"
 #include "solver/plastic_zone.h"
 #include "solver/scene.h"
 
@@ -51,8 +55,10 @@ namespace dpcontact
   /// Everything that a curve depends on besides material and scene. One source of defaults.
   struct SolverOptions
   {
-    MeshKind     mesh       = MeshKind::fitted;
-    unsigned int resolution = 40; ///< elements across the contact radius at the peak
+    Geometry     geometry     = Geometry::axisymmetric;
+    double       sector_angle = 90; ///< of Geometry::sector, degrees: 90 or 45
+    MeshKind     mesh         = MeshKind::fitted;
+    unsigned int resolution   = 40; ///< elements across the contact radius at the peak
     /// Further halvings of the cells at the surface. Unset: 1 where the approach at the peak
     /// is more than strongly_plastic times Hertz's, else 0.
     std::optional<unsigned int> surface_halvings;
@@ -72,14 +78,25 @@ namespace dpcontact
     ContactMethod contact       = ContactMethod::augmented;
     double        penalty_stiffness = 1e6; ///< in units of E/a
     Units         units             = Units::scaled;
-    bool          condensation      = true; ///< solve for the part that yields or touches (core.h)
+    LinearSolver  linear_solver     = LinearSolver::automatic; ///< in space
+    /// In axisymmetry solve for the part that yields or touches (core.h).
+    bool condensation = true;
     /// `sphere` asks for domain_radius a ≤ R. Its approach holds a compliance linear in the force,
     /// which remove_linear_compliance() takes out.
     Surface surface = Surface::parabola;
 
+    /// The defaults of a geometry: in space bricks, and fewer of them.
+    static SolverOptions of(Geometry geometry);
+
+    /// Angle that the model covers in space, rad.
+    double angle() const;
+
     /// @throws InputError naming the option, its value and its range.
     void check() const;
   };
+
+  /// The solver for systems of `n_unknowns` with these options: what `automatic` stands for.
+  LinearSolver linear_solver(const SolverOptions &options, unsigned int n_unknowns);
 
   /// Contact pressure at one radius.
   struct PressurePoint
@@ -115,6 +132,9 @@ namespace dpcontact
     unsigned int  steps             = 0; ///< converged load steps, both branches
     unsigned int  newton_iterations = 0;
     unsigned int  cut_backs         = 0;
+    unsigned int  linear_solves     = 0; ///< of an iterative solver,
+    unsigned int  linear_iterations = 0; ///< and its iterations in all
+    unsigned int  processes         = 1;
     double        wall_seconds      = 0;
     std::uint64_t peak_memory_bytes = 0;
   };
@@ -131,7 +151,9 @@ namespace dpcontact
     std::optional<PlasticZone>
       plastic_zone; ///< yielded up to F_max; unset where Hertz's form was used
     std::optional<PlasticZone> flow_zone; ///< yielding at F_max; likewise
-    double step_error = 0;                ///< estimated error of F(δ) in the load step, over F_max
+    /// In space: how far the pressure at F_max is from axisymmetric (contact_model.h). Otherwise 0.
+    double axisymmetry_deviation = 0;
+    double step_error            = 0; ///< estimated error of F(δ) in the load step, over F_max
     /// The curve with one halving of the load steps less: how far apart both are tells the error
     /// that the load step leaves in a coefficient. Equal to `curve` where it has no such error.
     Curve                    coarser_steps;
@@ -151,14 +173,17 @@ namespace dpcontact
   using StepObserver =
     std::function<void(const char *stage, double fraction, int newton_iterations)>;
 
-  /// Computes one loading–unloading curve of two identical spheres by finite elements.
+  /// Computes one loading–unloading curve of two spheres by finite elements.
   /// @param fields_directory where the VTU files of the peak and the released state go; empty: none.
+  /// @param processes that solve it together, in space; all get the same solution.
   /// @throws InputError for values out of range, SolverError where the load path cannot be completed.
   Solution solve_contact(const Material      &material,
                          const Scene         &scene,
                          const SolverOptions &options,
                          const std::string   &fields_directory = {},
-                         const StepObserver  &observer         = {});
+                         const StepObserver  &observer         = {},
+                         const Communicator  &processes        = Communicator(),
+                         const Checkpoint    &checkpoint       = {});
 } // namespace dpcontact
 
 #endif

@@ -1,12 +1,15 @@
+#include "runs/checkpoint_file.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/documents.h"
 #include "runs/result_files.h"
 #include "runs/row.h"
+#include "runs/second_body.h"
 #include "runs/version.h"
 #include "solver/environment.h"
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <unistd.h>
@@ -26,6 +29,11 @@ namespace dpcontact::commands
       "output",
       Setting::Kind::text,
       "directory for fields (VTU), curve, profile and points (CSV) and the result (JSON)"};
+
+    const Setting checkpoint_file{
+      "checkpoint",
+      Setting::Kind::text,
+      "file that keeps the state after every step; a run that was stopped goes on from it"};
 
     /// Says on a terminal how far the solver is.
     void report_step(const char *stage, const double fraction, const int newton_iterations)
@@ -60,6 +68,11 @@ namespace dpcontact::commands
               {"step_error", solution.step_error},
               {"checks", checks_json(solution.checks)},
               {"cost", cost_json(row)},
+              {"axisymmetry_deviation", solution.axisymmetry_deviation},
+              {"linear_solver",
+               {{"solves", solution.cost.linear_solves},
+                {"iterations", solution.cost.linear_iterations},
+                {"processes", solution.cost.processes}}},
               {"status", row.status},
               {"reason", row.reason},
               {"warnings", row.warnings},
@@ -105,25 +118,53 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      const SettingTexts  texts = merged(options.parameter_file,
-                                        scene_settings() + solver_settings() + std::vector{output},
+      const SettingTexts texts = merged(options.parameter_file,
+                                        scene_settings() + second_body_settings() +
+                                          solver_settings() + std::vector{output, checkpoint_file},
                                         options.texts);
-      const Case          input = read_case(texts);
-      const SolverOptions used  = read_solver_options(texts);
+      Case               input = read_case(texts);
+      read_second_body(texts, input);
+      const SolverOptions used = read_solver_options(texts);
 
       const auto        found     = texts.find(output.name);
       const std::string directory = found == texts.end() ? "" : found->second;
       if (!directory.empty())
         make_result_directory(directory);
 
-      const bool        terminal = isatty(STDERR_FILENO) == 1;
-      const Environment environment;
-      const Solution    solution =
-        solve_contact(input.material,
-                      input.scene,
-                      used,
-                      directory,
-                      terminal ? StepObserver(report_step) : StepObserver());
+      const Environment  environment;
+      const Communicator processes = environment.world();
+      const bool         first     = processes.rank() == 0;
+      const bool         terminal  = first && isatty(STDERR_FILENO) == 1;
+
+      const Json settings = {{"material", material_json(input)},
+                             {"scene", scene_json(input)},
+                             {"options", options_json(used)}};
+      Checkpoint checkpoint;
+      const auto kept = texts.find(checkpoint_file.name);
+      if (kept != texts.end())
+        {
+          if (std::filesystem::exists(kept->second))
+            {
+              checkpoint.found = read_checkpoint(kept->second, settings);
+              if (first)
+                std::cerr << "dpcontact: going on from " << kept->second << std::endl;
+            }
+          checkpoint.keep = [&](const Arrays &state) {
+            if (first)
+              write_checkpoint(kept->second, settings, state);
+          };
+        }
+      const Solution solution = solve_contact(input.material,
+                                              input.scene,
+                                              used,
+                                              directory,
+                                              terminal ? StepObserver(report_step) : StepObserver(),
+                                              processes,
+                                              checkpoint);
+      if (!first)
+        return ExitCode::success;
+      if (kept != texts.end())
+        std::filesystem::remove(kept->second);
       const Record row = row_of(input, solution);
       if (terminal)
         std::cerr << "\r\033[K" << std::flush;
@@ -149,8 +190,12 @@ namespace dpcontact::commands
     CLI::App *const command = program.add_subcommand(
       "solve", "One loading-unloading curve by finite elements, and its fit");
     add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    add_settings(*command,
+                 second_body_settings(),
+                 options->texts,
+                 "Second body (identical to the first unless one is given)");
     add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_settings(*command, {output}, options->texts, "Options");
+    add_settings(*command, {output, checkpoint_file}, options->texts, "Options");
     add_parameter_file(*command, options->parameter_file);
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
