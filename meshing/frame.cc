@@ -121,6 +121,26 @@ namespace dpcontact
       std::map<std::array<int, 4>, Face>                faces_of;
       std::vector<int>                                  volumes;
     };
+    /// gmsh places points to about 1e-12 of a line: the point of the frame's lattice that `p` is
+    /// near, so that planes of symmetry are exact and mirror images agree.
+    dealii::Point<3> settled(const Frame &frame, const dealii::Point<3> &p)
+    {
+      const double side = frame.kite_side;
+      // A shell is the core's surface blown up.
+      const double extent = std::round(std::max({p[0], p[1], -p[2]}));
+      const double scale  = frame.shells > 0 ? std::max(1., extent / frame.core_side()) : 1.;
+      const double a = p[0] / scale, b = p[1] / scale, w = std::round(p[2] / scale);
+      const double ring = std::round(std::max(a, b));
+      // The larger of a and b is the ring, the other a share of it.
+      const double reach  = std::max(ring, side);
+      const auto   placed = [&](const double value, const unsigned int cells) {
+        return reach * std::round(value / reach * cells) / cells;
+      };
+      const bool   outside = ring > side;
+      const double on_a    = outside && a >= b - 1e-6 ? ring : placed(a, frame.kite_cells_a);
+      const double on_b    = outside && b >= a - 1e-6 ? ring : placed(b, frame.kite_cells_b);
+      return {scale * on_a, scale * on_b, scale * w};
+    }
   } // namespace
 
   void make_frame(const Frame &frame, dealii::Triangulation<3> &mesh)
@@ -174,15 +194,8 @@ namespace dpcontact
       blocks.name();
       gmsh_session.mesh_into(mesh);
     }
-    // gmsh places points to about 1e-12; the planes of symmetry and the surface are exact.
-    dealii::GridTools::transform(
-      [](dealii::Point<3> p) {
-        for (unsigned int i = 0; i < 3; ++i)
-          if (std::abs(p[i]) < 1e-9)
-            p[i] = 0;
-        return p;
-      },
-      mesh);
+    dealii::GridTools::transform([&frame](const dealii::Point<3> &p) { return settled(frame, p); },
+                                 mesh);
   }
 
   void mirror_to_whole(dealii::Triangulation<3> &mesh)

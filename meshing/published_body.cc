@@ -41,8 +41,11 @@ namespace dpcontact
                            dealii::Triangulation<3> &mesh)
   {
     published.check();
-    const bool whole = std::abs(angle - 2 * M_PI) < 1e-12;
-    if (!whole && !(std::abs(angle - M_PI / 2) < 1e-12))
+    const auto is = [angle](const double value) {
+      return std::isfinite(angle) && std::abs(angle - value) < 1e-12;
+    };
+    const bool whole = is(2 * M_PI);
+    if (!whole && !is(M_PI / 2))
       {
         std::ostringstream message;
         message

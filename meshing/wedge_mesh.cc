@@ -123,7 +123,9 @@ namespace dpcontact
   void make_wedge_mesh(const Zones &zones, const double angle, dealii::Triangulation<3> &mesh)
   {
     zones.check();
-    const auto         is = [angle](const double value) { return std::abs(angle - value) < 1e-12; };
+    const auto is = [angle](const double value) {
+      return std::isfinite(angle) && std::abs(angle - value) < 1e-12;
+    };
     const bool         whole = is(2 * M_PI);
     std::ostringstream message;
     if (!(is(M_PI / 4) || is(M_PI / 2) || whole))

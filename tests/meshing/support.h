@@ -75,7 +75,8 @@ namespace dpcontact::tests
   }
 
   /// Every active cell's vertices, face ids and level, in order: equal means the same bit for bit.
-  inline std::vector<double> fingerprint(const Mesh &mesh)
+  template <int dim>
+  std::vector<double> fingerprint(const dealii::Triangulation<dim> &mesh)
   {
     std::vector<double> numbers;
     for (const auto &cell : mesh.active_cell_iterators())
@@ -84,8 +85,8 @@ namespace dpcontact::tests
         for (const unsigned int v : cell->vertex_indices())
           {
             numbers.push_back(cell->vertex_index(v));
-            numbers.push_back(cell->vertex(v)[0]);
-            numbers.push_back(cell->vertex(v)[1]);
+            for (unsigned int d = 0; d < dim; ++d)
+              numbers.push_back(cell->vertex(v)[d]);
           }
         for (const auto &face : cell->face_iterators())
           numbers.push_back(face->boundary_id());
