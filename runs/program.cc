@@ -34,6 +34,7 @@ namespace dpcontact
       commands::add_solve(program, action);
       commands::add_converge(program, action);
       commands::add_sweep(program, action);
+      commands::add_merge(program, action);
       commands::add_fit(program, action);
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
