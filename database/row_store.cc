@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -88,10 +89,7 @@ namespace dpcontact
                                "\nUse these settings again, or another database.");
     }
 
-    json inputs_of(const RowInputs &inputs)
-    {
-      return inputs.key();
-    }
+    json inputs_of(const RowInputs &inputs) { return inputs.key(); }
 
     /// Sets a damaged file aside under a name that is free.
     fs::path set_aside(const fs::path &file)
@@ -175,6 +173,19 @@ namespace dpcontact
   void RowStore::write(const Record &record) const
   {
     write_file(path_of(record), seal(to_json(record)));
+  }
+
+  std::vector<std::string> RowStore::names() const
+  {
+    std::vector<std::string> found;
+    std::error_code          error;
+    for (const auto &entry : fs::directory_iterator(directory, error))
+      if (entry.path().extension() == ".json" && entry.path().filename() != "settings.json")
+        found.push_back(entry.path().filename().string());
+    if (error)
+      throw FileError("cannot list " + directory.string() + ": " + error.message());
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
   RowStore::Lock::Lock(const int file)

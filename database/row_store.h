@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dpcontact
 {
@@ -51,6 +52,9 @@ namespace dpcontact
 
     /// The file that holds the row of these inputs.
     std::filesystem::path path_of(const RowInputs &inputs) const;
+
+    /// The names of all row files, whatever their inputs, sorted.
+    std::vector<std::string> names() const;
 
     /// Keeps other processes from taking the same lock; released with the object or the process,
     /// not inherited by forked children.

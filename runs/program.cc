@@ -38,6 +38,7 @@ namespace dpcontact
       commands::add_solve(program, action);
       commands::add_converge(program, action);
       commands::add_sweep(program, action);
+      commands::add_merge(program, action);
       commands::add_fit(program, action);
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
@@ -59,7 +60,7 @@ namespace dpcontact
     {
       // What all processes of an MPI run see, one of them says: mpirun ends the others meanwhile.
       const char *const rank = std::getenv("OMPI_COMM_WORLD_RANK");
-      if (launched_in_parallel() && rank != nullptr && std::string(rank) != "0")
+      if (launched_ranks() > 1 && rank != nullptr && std::string(rank) != "0")
         std::this_thread::sleep_for(std::chrono::seconds(1));
       std::cerr << "dpcontact: " << kind << ": " << message << std::endl;
       return static_cast<int>(code);

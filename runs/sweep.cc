@@ -1,22 +1,17 @@
 #include "runs/sweep.h"
 
-#include "database/digest.h"
-#include "database/row_json.h"
 #include "database/row_store.h"
-#include "database/store.h"
 #include "meshing/errors.h"
+#include "runs/assembly.h"
 #include "runs/documents.h"
 #include "runs/progress.h"
+#include "runs/rank_pool.h"
 #include "runs/row.h"
-#include "runs/version.h"
+#include "runs/sweep_jobs.h"
 #include "runs/worker_pool.h"
 #include "solver/environment.h"
-#include "solver/families.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <iostream>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -25,102 +20,6 @@ namespace dpcontact
 {
   namespace
   {
-    const char *to_string(const SweepMode mode)
-    {
-      return mode == SweepMode::families ? "families" : "direct";
-    }
-
-    /// What every row depends on besides its inputs. In a family a row depends on the others: their
-    /// load levels are where the common path stops.
-    nlohmann::json row_settings(const Sweep &sweep)
-    {
-      auto settings              = nlohmann::json::parse(options_json(sweep.solver).dump());
-      settings["method_version"] = method_version;
-      settings["mode"]           = to_string(sweep.mode);
-      if (sweep.mode == SweepMode::families)
-        {
-          nlohmann::json grid;
-          for (const Case &input : sweep.cases)
-            grid.push_back(row_inputs(input).key());
-          settings["grid_sha256"] = sha256(grid.dump());
-        }
-      return settings;
-    }
-
-    /// Cases that are computed together, and those of them whose rows are wanted.
-    struct Job
-    {
-      std::vector<std::size_t> members, wanted;
-    };
-
-    std::vector<Job> make_jobs(const Sweep &sweep, const std::vector<std::size_t> &wanted)
-    {
-      std::vector<Job> jobs;
-      if (sweep.mode == SweepMode::direct)
-        {
-          for (const std::size_t i : wanted)
-            jobs.push_back({{i}, {i}});
-          return jobs;
-        }
-      // The largest φ last: it is the cheapest.
-      std::map<std::tuple<double, double, double, double>, Job> families;
-
-      const auto family = [&](const std::size_t i) -> Job & {
-        const Case &input = sweep.cases[i];
-        return families[{input.friction_angle_degrees,
-                         input.material.poisson_ratio,
-                         input.material.flow_stress_ratio,
-                         input.dilation_angle_degrees}];
-      };
-      for (std::size_t i = 0; i < sweep.cases.size(); ++i)
-        family(i).members.push_back(i);
-      for (const std::size_t i : wanted)
-        family(i).wanted.push_back(i);
-      for (auto &[key, job] : families)
-        if (!job.wanted.empty())
-          jobs.push_back(std::move(job));
-      return jobs;
-    }
-
-    /// The solutions of a job's members.
-    std::vector<Solution> solve_job(const Sweep &sweep, const Job &job)
-    {
-      if (sweep.mode == SweepMode::direct)
-        {
-          const Case &input = sweep.cases[job.members.front()];
-          return {solve_contact(input.material, input.scene, sweep.solver)};
-        }
-      std::vector<FamilyMember> members;
-      for (const std::size_t i : job.members)
-        members.push_back({sweep.cases[i].material, sweep.cases[i].scene});
-      return solve_family(members, sweep.solver);
-    }
-
-    /// The wanted rows of a job; they are failed ones where it fails.
-    std::vector<Record> compute_rows(const Sweep &sweep, const Job &job)
-    {
-      std::vector<Record> rows;
-      try
-        {
-          const std::vector<Solution> solutions = solve_job(sweep, job);
-          for (const std::size_t i : job.wanted)
-            {
-              const auto position =
-                std::find(job.members.begin(), job.members.end(), i) - job.members.begin();
-              rows.push_back(row_of(sweep.cases[i], solutions[static_cast<std::size_t>(position)]));
-            }
-        }
-      catch (const std::exception &error)
-        {
-          rows.clear();
-          for (const std::size_t i : job.wanted)
-            rows.push_back(failed_row(sweep.cases[i], error.what()));
-        }
-      return rows;
-    }
-
-    void log(const std::string &message) { std::cerr << "sweep: " << message << std::endl; }
-
     RowState state_of(const std::optional<Record> &row)
     {
       if (!row)
@@ -128,32 +27,13 @@ namespace dpcontact
       return row->status == "converged" ? RowState::converged : RowState::failed;
     }
 
-    std::vector<RowState> states(const Sweep &sweep, const RowStore &rows)
+    std::vector<RowState>
+    states(const Sweep &sweep, const std::vector<std::size_t> &share, const RowStore &rows)
     {
       std::vector<RowState> result;
-      for (const Case &input : sweep.cases)
-        result.push_back(state_of(rows.find(row_inputs(input))));
+      for (const std::size_t i : share)
+        result.push_back(state_of(rows.find(row_inputs(sweep.cases[i]))));
       return result;
-    }
-
-    /// A database without its rows cannot be resumed, but it must not be overwritten by rows of
-    /// other settings either.
-    void check_database(const Sweep &sweep)
-    {
-      if (std::filesystem::is_directory(sweep.database))
-        throw FileError("cannot write the database " + sweep.database.string() +
-                        ": it is a directory");
-      if (!std::filesystem::exists(sweep.database) ||
-          RowStore::stored_settings(sweep.database).has_value())
-        return;
-      const Database    stored = read_store(sweep.database);
-      const auto        found  = stored.provenance.find("solver_settings");
-      const std::string given  = row_settings(sweep).dump();
-      if (found == stored.provenance.end() || found->second != given)
-        throw SettingsMismatch(
-          sweep.database.string() + " was made with other settings:\n  stored " +
-          (found == stored.provenance.end() ? "(absent)" : found->second) + "\n  now    " + given +
-          "\nUse these settings again, or another database.");
     }
 
     /// What a worker tells the parent about a row that it has stored, in one line.
@@ -165,24 +45,21 @@ namespace dpcontact
               {"wall_seconds", row.wall_seconds}};
     }
 
-    Worker make_worker(const Sweep &sweep, const std::vector<Job> &jobs, const RowStore &rows)
+    /// Computes a job and stores its rows. @return a message a row.
+    std::string work(const Sweep &sweep, const Job &job, const RowStore &rows)
     {
-      setenv("DEAL_II_NUM_THREADS", "1", 1); // the processes share the cores already
-      const auto environment = std::make_shared<Environment>();
-      return [&sweep, &jobs, &rows, environment](const std::size_t job) {
-        nlohmann::json messages = nlohmann::json::array();
-        for (const Record &row : compute_rows(sweep, jobs[job]))
-          try
-            {
-              rows.write(row);
-              messages.push_back(row_message(row));
-            }
-          catch (const Error &error)
-            {
-              messages.push_back({{"error", error.what()}});
-            }
-        return messages.dump();
-      };
+      nlohmann::json messages = nlohmann::json::array();
+      for (const Record &row : compute_rows(sweep, job))
+        try
+          {
+            rows.write(row);
+            messages.push_back(row_message(row));
+          }
+        catch (const Error &error)
+          {
+            messages.push_back({{"error", error.what()}});
+          }
+      return messages.dump();
     }
 
     void report(const Case &input, const nlohmann::json &message, Progress &progress)
@@ -201,14 +78,25 @@ namespace dpcontact
       progress.row_done(text, status != "converged" || !warnings.empty());
     }
 
-    void compute(const Sweep                    &sweep,
-                 const RowStore                 &rows,
-                 const std::vector<std::size_t> &wanted,
-                 Progress                       &progress)
+    void
+    report(const Sweep &sweep, const Job &job, const nlohmann::json &messages, Progress &progress)
     {
-      const std::vector<Job>   jobs = make_jobs(sweep, wanted);
+      for (std::size_t k = 0; k < job.wanted.size(); ++k)
+        report(sweep.cases[job.wanted[k]], messages[k], progress);
+    }
+
+    void compute_by_processes(const Sweep            &sweep,
+                              const RowStore         &rows,
+                              const std::vector<Job> &jobs,
+                              Progress               &progress)
+    {
       std::vector<std::size_t> numbers(jobs.size());
       std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+      const auto make_worker = [&]() -> Worker {
+        setenv("DEAL_II_NUM_THREADS", "1", 1); // the processes share the cores already
+        const auto environment = std::make_shared<Environment>();
+        return [&, environment](const std::size_t job) { return work(sweep, jobs[job], rows); };
+      };
       const auto on_end = [&](const JobResult &result) {
         const Job     &job      = jobs[result.job];
         nlohmann::json messages = nlohmann::json::array();
@@ -221,109 +109,132 @@ namespace dpcontact
               rows.write(row);
               messages.push_back(row_message(row));
             }
-        for (std::size_t k = 0; k < job.wanted.size(); ++k)
-          report(sweep.cases[job.wanted[k]], messages[k], progress);
+        report(sweep, job, messages, progress);
       };
       run_jobs(
-        numbers,
-        sweep.jobs,
-        [&] { return make_worker(sweep, jobs, rows); },
-        [](std::size_t) {},
-        on_end);
+        numbers, sweep.jobs, make_worker, [](std::size_t) {}, on_end);
     }
 
-    Database assemble(const Sweep &sweep, const RowStore &rows)
+    /// Does what an order says, in whatever thread.
+    std::string work_at(const Sweep &sweep, const RowStore &rows, const std::string &order)
     {
-      Database database;
-      for (const Case &input : sweep.cases)
-        {
-          auto row = rows.find(row_inputs(input));
-          if (!row)
-            throw FileError("the row of " + label(input) + " has vanished; run the sweep again");
-          database.records.push_back(std::move(*row));
-        }
-      for (const auto &[name, version] : versions())
-        database.provenance["version_" + name] = version;
-      database.provenance["solver_settings"] = row_settings(sweep).dump();
-      database.provenance["rows"]            = std::to_string(sweep.cases.size());
-      return database;
+      const Environment environment;
+      const auto        given = nlohmann::json::parse(order);
+      return work(sweep, {given.at("members"), given.at("wanted")}, rows);
     }
 
-    /// Whether the file holds these rows already, whoever assembled it.
-    bool up_to_date(const std::filesystem::path &file, const Database &database)
+    void compute_by_ranks(const Sweep            &sweep,
+                          const RowStore         &rows,
+                          const std::vector<Job> &unsorted,
+                          RankPool               &ranks,
+                          Progress               &progress)
     {
-      if (!std::filesystem::exists(file))
-        return false;
-      try
-        {
-          const Database stored = read_store(file);
-          if (stored.records.size() != database.records.size())
-            return false;
-          for (std::size_t i = 0; i < stored.records.size(); ++i)
-            if (to_json(stored.records[i]) != to_json(database.records[i]))
-              return false;
-          return stored.provenance.count("solver_settings") == 1 &&
-                 stored.provenance.at("solver_settings") ==
-                   database.provenance.at("solver_settings");
-        }
-      catch (const Error &error)
-        {
-          log(std::string(error.what()) + "; assembling it again from its rows");
-          return false;
-        }
+      const std::vector<Job>   jobs = longest_first(sweep, unsorted); // short ones fill the end
+      std::vector<std::string> orders;
+      for (const Job &job : jobs)
+        orders.push_back(nlohmann::json{{"members", job.members}, {"wanted", job.wanted}}.dump());
+      ranks.run(
+        orders,
+        [&](const std::string &order) { return work_at(sweep, rows, order); },
+        [&](const std::size_t order, const std::string &text) {
+          report(sweep, jobs[order], nlohmann::json::parse(text), progress);
+        });
     }
   } // namespace
 
   std::vector<RowState> row_states(const Sweep &sweep)
   {
     check_database(sweep);
-    if (!RowStore::stored_settings(sweep.database).has_value())
-      return std::vector<RowState>(sweep.cases.size(), RowState::missing);
-    RowStore::check_settings(sweep.database, row_settings(sweep));
-    return states(sweep, RowStore(sweep.database, row_settings(sweep), log));
+    const std::filesystem::path    database = database_of_share(sweep);
+    const std::vector<std::size_t> share    = rows_of_share(sweep);
+    if (!RowStore::stored_settings(database).has_value())
+      return std::vector<RowState>(share.size(), RowState::missing);
+    RowStore::check_settings(database, row_settings(sweep));
+    return states(sweep, share, RowStore(database, row_settings(sweep), log_sweep));
   }
 
-  SweepSummary run_sweep(const Sweep &sweep)
+  SweepSummary run_sweep(const Sweep &sweep, RankPool *const ranks)
   {
     check_database(sweep);
-    const RowStore       rows(sweep.database, row_settings(sweep), log);
+    const RowStore       rows(database_of_share(sweep), row_settings(sweep), log_sweep);
     const RowStore::Lock lock = rows.lock();
 
-    std::vector<std::size_t>    jobs;
-    std::size_t                 failed_before = 0;
-    const std::vector<RowState> before        = states(sweep, rows);
+    const std::vector<std::size_t> share  = rows_of_share(sweep);
+    const std::vector<RowState>    before = states(sweep, share, rows);
+    std::vector<std::size_t>       wanted;
+    std::size_t                    failed_before = 0;
     for (std::size_t i = 0; i < before.size(); ++i)
       {
         failed_before += before[i] == RowState::failed;
         if (before[i] == RowState::missing || (before[i] == RowState::failed && sweep.retry_failed))
-          jobs.push_back(i);
+          wanted.push_back(share[i]);
       }
-    log(std::to_string(sweep.cases.size()) + " rows, " +
-        std::to_string(sweep.cases.size() - jobs.size()) + " done before, " +
-        std::to_string(jobs.size()) + " to compute" +
-        (jobs.empty() ? "" : " by " + std::to_string(sweep.jobs) + " processes"));
+    log_sweep(
+      (sweep.shard ? "shard " + to_string(*sweep.shard) + ": " : std::string()) +
+      std::to_string(share.size()) + " rows, " + std::to_string(share.size() - wanted.size()) +
+      " done before, " + std::to_string(wanted.size()) + " to compute" +
+      (wanted.empty()
+         ? ""
+         : " by " + std::to_string(sweep.jobs) + (ranks == nullptr ? " processes" : " MPI ranks")));
     if (failed_before > 0 && !sweep.retry_failed)
-      log(std::to_string(failed_before) + " rows failed before; --retry-failed tries them again");
+      log_sweep(std::to_string(failed_before) +
+                " rows failed before; --retry-failed tries them again");
 
     SweepSummary summary;
     {
-      Progress progress(sweep.cases.size(), sweep.cases.size() - jobs.size());
-      compute(sweep, rows, jobs, progress);
-      summary.computed = jobs.size();
+      Progress               progress(share.size(), share.size() - wanted.size());
+      const std::vector<Job> jobs = make_jobs(sweep, wanted);
+      if (ranks == nullptr)
+        compute_by_processes(sweep, rows, jobs, progress);
+      else
+        compute_by_ranks(sweep, rows, jobs, *ranks, progress);
+      summary.rows     = share.size();
+      summary.computed = wanted.size();
       summary.seconds  = progress.seconds();
     }
 
-    const Database database = assemble(sweep, rows);
-    for (const Record &row : database.records)
-      ++(state_of(row) == RowState::converged ? summary.converged : summary.failed);
-    if (!up_to_date(sweep.database, database))
+    if (sweep.shard)
       {
-        write_store(sweep.database, database);
-        summary.assembled = true;
+        for (const RowState state : states(sweep, share, rows))
+          ++(state == RowState::converged ? summary.converged : summary.failed);
+        log_sweep(
+          "shard " + to_string(*sweep.shard) + " is done, " + std::to_string(summary.converged) +
+          " rows converged, " + std::to_string(summary.failed) + " failed; its rows are in " +
+          RowStore::directory_of(database_of_share(sweep)).string() + " for dpcontact merge");
+        return summary;
       }
-    log(sweep.database.string() + (summary.assembled ? " was written" : " was up to date") + ": " +
-        std::to_string(summary.converged) + " rows converged, " + std::to_string(summary.failed) +
-        " failed");
+    const Assembled assembled = assemble_database(sweep, rows);
+    summary.converged         = assembled.converged;
+    summary.failed            = assembled.failed;
     return summary;
+  }
+
+  void serve_sweep(const std::function<Sweep()> &read_sweep)
+  {
+    serve_ranks([&]() -> RankWorker {
+      const auto sweep = std::make_shared<const Sweep>(read_sweep());
+      const auto rows  = std::make_shared<std::optional<RowStore>>();
+      return [sweep, rows](const std::string &order) {
+        if (!*rows) // only now is it certain that rank 0 has accepted the directory
+          rows->emplace(database_of_share(*sweep), row_settings(*sweep), log_sweep);
+        return work_at(*sweep, **rows, order);
+      };
+    });
+  }
+
+  std::filesystem::path database_of_share(const Sweep &sweep)
+  {
+    if (!sweep.shard)
+      return sweep.database;
+    std::filesystem::path path = sweep.database;
+    path.replace_filename(sweep.database.stem().string() + ".shard-" +
+                          std::to_string(sweep.shard->number) + "-of-" +
+                          std::to_string(sweep.shard->count) + sweep.database.extension().string());
+    return path;
+  }
+
+  std::string to_string(const Shard &shard)
+  {
+    return std::to_string(shard.number) + "/" + std::to_string(shard.count);
   }
 } // namespace dpcontact

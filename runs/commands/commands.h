@@ -21,6 +21,7 @@ namespace dpcontact::commands
   void add_converge(CLI::App &program, Action &action);
   void add_compare(CLI::App &program, Action &action);
   void add_sweep(CLI::App &program, Action &action);
+  void add_merge(CLI::App &program, Action &action);
   void add_fit(CLI::App &program, Action &action);
   void add_export(CLI::App &program, Action &action);
   void add_hard_cases(CLI::App &program, Action &action);

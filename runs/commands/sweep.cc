@@ -1,15 +1,17 @@
 #include "runs/sweep.h"
 
+#include "database/row_store.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/commands/sweep_options.h"
 #include "runs/documents.h"
-#include "solver/families.h"
+#include "runs/quantity.h"
+#include "runs/rank_pool.h"
+#include "runs/sweep_jobs.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <thread>
+#include <optional>
 
 namespace dpcontact::commands
 {
@@ -17,65 +19,46 @@ namespace dpcontact::commands
   {
     struct Options
     {
-      SettingTexts texts;
-      std::string  parameter_file;
-      bool         dry_run      = false;
-      bool         retry_failed = false;
-      bool         json         = false;
+      SettingTexts               texts;
+      std::string                parameter_file;
+      std::optional<std::string> shard;
+      bool                       dry_run      = false;
+      bool                       retry_failed = false;
+      bool                       json         = false;
     };
 
-    std::vector<Setting> sweep_settings()
+    /// "2/4". @throws InputError.
+    Shard read_shard(const std::string &text)
     {
-      return {{"jobs", Setting::Kind::count, "worker processes [all cores]"},
-              {"mode",
-               Setting::Kind::choice,
-               "direct: every row for itself; families: one loading path for rows of equal nu and "
-               "phi [direct]",
-               Dimension::number,
-               {"direct", "families"}},
-              {"database",
-               Setting::Kind::text,
-               "HDF5 file; finished rows are kept in FILE.rows beside it "
-               "[the parameter file's name with .h5, here]"}};
+      const auto slash = text.find('/');
+      if (slash == std::string::npos)
+        throw InputError("shard: '" + text + "' must be NUMBER/COUNT, for instance 2/4");
+      const Shard shard{parse_count("shard", text.substr(0, slash)),
+                        parse_count("shard", text.substr(slash + 1))};
+      if (shard.number < 1 || shard.number > shard.count)
+        throw InputError("shard: '" + text + "' is not there; the number goes from 1 to the count");
+      return shard;
     }
 
-    Sweep read_sweep(const Options &options)
+    Sweep sweep_of(const Options &options)
     {
-      const SettingTexts texts = merged(options.parameter_file,
-                                        scene_settings() + solver_settings() + sweep_settings(),
-                                        options.texts);
-      Sweep              sweep;
-      sweep.cases        = read_grid(texts);
-      sweep.solver       = read_solver_options(texts);
+      Sweep sweep        = read_sweep(options.parameter_file, options.texts);
       sweep.retry_failed = options.retry_failed;
-
-      const auto database = texts.find("database");
-      if (database == texts.end())
-        sweep.database =
-          std::filesystem::path(options.parameter_file).filename().replace_extension(".h5");
-      else if (database->second.empty())
-        throw InputError("database: is empty");
-      else
-        sweep.database = database->second;
-
-      const auto mode = texts.find("mode");
-      if (mode != texts.end())
-        {
-          for (const Setting &setting : sweep_settings())
-            if (setting.name == mode->first)
-              setting.check(mode->second);
-          sweep.mode = mode->second == "families" ? SweepMode::families : SweepMode::direct;
-          if (sweep.mode == SweepMode::families)
-            for (const Case &input : sweep.cases)
-              check_similar(input.material);
-        }
-
-      const auto jobs = texts.find("jobs");
-      sweep.jobs      = jobs == texts.end() ? std::max(1U, std::thread::hardware_concurrency())
-                                            : parse_count("jobs", jobs->second);
-      if (sweep.jobs == 0)
-        throw InputError("jobs: '0' is too few; there must be at least 1");
+      if (options.shard)
+        sweep.shard = read_shard(*options.shard);
       return sweep;
+    }
+
+    /// Where the rows go; the beginning of a JSON document.
+    Json place_json(const Sweep &sweep)
+    {
+      Json place{{"database", sweep.database.string()}};
+      if (sweep.shard)
+        {
+          place["shard"]         = to_string(*sweep.shard);
+          place["row_directory"] = RowStore::directory_of(database_of_share(sweep)).string();
+        }
+      return place;
     }
 
     const char *text_of(const RowState state, const bool retry_failed)
@@ -94,12 +77,13 @@ namespace dpcontact::commands
 
     ExitCode list(const Sweep &sweep, const bool json)
     {
-      const std::vector<RowState> states = row_states(sweep);
-      Json                        rows   = Json::array();
-      std::size_t                 to_do  = 0;
-      for (std::size_t i = 0; i < states.size(); ++i)
+      const std::vector<std::size_t> share  = rows_of_share(sweep);
+      const std::vector<RowState>    states = row_states(sweep);
+      Json                           rows   = Json::array();
+      std::size_t                    to_do  = 0;
+      for (std::size_t i = 0; i < share.size(); ++i)
         {
-          const Case &input = sweep.cases[i];
+          const Case &input = sweep.cases[share[i]];
           const char *state = text_of(states[i], sweep.retry_failed);
           to_do +=
             states[i] == RowState::missing || (states[i] == RowState::failed && sweep.retry_failed);
@@ -107,35 +91,57 @@ namespace dpcontact::commands
             rows.push_back(
               {{"material", material_json(input)}, {"scene", scene_json(input)}, {"state", state}});
           else
-            std::cout << i + 1 << "  " << label(input) << ": " << state << '\n';
+            std::cout << share[i] + 1 << "  " << label(input) << ": " << state << '\n';
         }
       if (json)
-        print_document({{"database", sweep.database.string()},
-                        {"jobs", sweep.jobs},
-                        {"options", options_json(sweep.solver)},
-                        {"to_compute", to_do},
-                        {"rows", rows}});
+        {
+          Json document = place_json(sweep);
+          document.update({{"jobs", sweep.jobs},
+                           {"options", options_json(sweep.solver)},
+                           {"to_compute", to_do},
+                           {"rows", rows}});
+          print_document(document);
+        }
       else
-        std::cout << to_do << " of " << states.size() << " rows to compute by " << sweep.jobs
-                  << " processes into " << sweep.database.string() << '\n';
+        std::cout << to_do << " of " << share.size() << " rows to compute by " << sweep.jobs
+                  << " processes into " << database_of_share(sweep).string() << '\n';
       return ExitCode::success;
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const Options &options, RankPool *const ranks)
     {
-      const Sweep sweep = read_sweep(options);
+      const Sweep sweep = sweep_of(options);
       if (options.dry_run)
         return list(sweep, options.json);
 
-      const SweepSummary summary = run_sweep(sweep);
+      const SweepSummary summary = run_sweep(sweep, ranks);
       if (options.json)
-        print_document({{"database", sweep.database.string()},
-                        {"rows", sweep.cases.size()},
-                        {"computed", summary.computed},
-                        {"converged", summary.converged},
-                        {"failed", summary.failed},
-                        {"wall_seconds", summary.seconds}});
+        {
+          Json document = place_json(sweep);
+          document.update({{"rows", summary.rows},
+                           {"computed", summary.computed},
+                           {"converged", summary.converged},
+                           {"failed", summary.failed},
+                           {"wall_seconds", summary.seconds}});
+          print_document(document);
+        }
       return summary.failed == 0 ? ExitCode::success : ExitCode::incomplete;
+    }
+
+    /// Under MPI rank 0 does what the one process does without it, all output included, and the
+    /// others compute for it. Its exit code is the launcher's.
+    ExitCode run_anyhow(const Options &options)
+    {
+      if (launched_ranks() == 1)
+        return run(options, nullptr);
+      const MpiSession session;
+      if (session.rank() == 0)
+        {
+          RankPool pool(session); // lets the others go, whatever happens here
+          return run(options, &pool);
+        }
+      serve_sweep([&] { return sweep_of(options); });
+      return ExitCode::success;
     }
   } // namespace
 
@@ -144,16 +150,22 @@ namespace dpcontact::commands
     const auto      options = std::make_shared<Options>();
     CLI::App *const command =
       program.add_subcommand("sweep",
-                             "A grid of materials and scenes over worker processes; resumes where "
-                             "it stopped. Lists are separated by commas.");
+                             "A grid of materials and scenes over worker processes, or the ranks "
+                             "of mpirun; resumes where it stopped. Lists are separated by commas.");
     command->add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
       ->required();
     add_settings(*command, sweep_settings(), options->texts, "Options");
     add_settings(*command, scene_settings(), options->texts, "Material and scene");
     add_settings(*command, solver_settings(), options->texts, "Solver");
+    command
+      ->add_option("--shard",
+                   options->shard,
+                   "NUMBER/COUNT: compute this part of the grid only; its rows are kept in "
+                   "NAME.shard-NUMBER-of-COUNT.h5.rows for dpcontact merge")
+      ->type_name("K/N");
     command->add_flag("--dry-run", options->dry_run, "list what would be done, and do nothing");
     command->add_flag("--retry-failed", options->retry_failed, "compute failed rows again");
     add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    command->callback([options, &action] { action = [options] { return run_anyhow(*options); }; });
   }
 } // namespace dpcontact::commands

@@ -1,6 +1,5 @@
 """A small sweep: killed and resumed, refitted, exported, damaged."""
 
-import csv
 import os
 import pathlib
 import random
@@ -8,38 +7,10 @@ import signal
 import subprocess
 import time
 
+import grids
 import program
+from grids import GRID, read_table
 from program import BAD_INPUT, CORRUPT, FILE, INCOMPLETE, MISMATCH
-
-# Elastic and plastic rows, coarse enough for a fraction of a second each.
-GRID = """
-set E = 10GPa
-set nu = 0.2
-set phi = 20, 30
-set sigma-c = 20MPa, 1GPa
-set resolution = 12
-set step-tolerance = 1e-2
-"""
-
-# What a run may not repeat: how long it took and what it used.
-UNREPEATABLE = {"wall_seconds", "peak_memory_bytes"}
-
-
-def read_table(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-def processes_of(text):
-    """Processes with this text in their command line."""
-    found = []
-    for path in pathlib.Path("/proc").glob("[0-9]*"):
-        try:
-            if text.encode() in (path / "cmdline").read_bytes():
-                found.append(path.name)
-        except OSError:
-            pass
-    return found
 
 
 def children_of(process):
@@ -47,17 +18,11 @@ def children_of(process):
     return [int(child) for child in path.read_text(encoding="utf-8").split()]
 
 
-class Sweep(program.TestCase):
+class Sweep(grids.TestCase):
     def setUp(self):
         super().setUp()
         self.grid = self.write("grid.prm", GRID)
         self.arguments = ["sweep", self.grid, "--jobs", "2", "--database"]
-
-    def table(self, database):
-        self.succeed("export", database, "--csv", f"{database}.csv")
-        rows = read_table(self.directory / f"{database}.csv")
-        return [{name: value for name, value in row.items() if name not in UNREPEATABLE}
-                for row in rows]
 
     def start(self, database):
         command = [program.PROGRAM, *map(str, self.arguments), database]
@@ -73,9 +38,7 @@ class Sweep(program.TestCase):
             running = process.poll() is None
             process.send_signal(signal.SIGKILL)
             process.wait()
-        marker = f"{self.directory}"
-        while processes_of(marker):  # the workers end with it, or ctest's time runs out
-            time.sleep(0.01)
+        grids.wait_for_end(f"{self.directory}")  # the workers end with it
         return running
 
     def test_kill_and_resume_gives_the_same_rows(self):

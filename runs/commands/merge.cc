@@ -1,0 +1,56 @@
+#include "runs/merge.h"
+
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/commands/sweep_options.h"
+#include "runs/documents.h"
+
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts             texts;
+      std::string              parameter_file;
+      std::vector<std::string> shards;
+      bool                     json = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      const Sweep        sweep = read_sweep(options.parameter_file, options.texts);
+      const MergeSummary summary =
+        merge_shards(sweep, {options.shards.begin(), options.shards.end()});
+      if (options.json)
+        print_document({{"database", sweep.database.string()},
+                        {"rows", summary.rows},
+                        {"duplicates", summary.duplicates},
+                        {"converged", summary.converged},
+                        {"failed", summary.failed}});
+      return summary.failed == 0 ? ExitCode::success : ExitCode::incomplete;
+    }
+  } // namespace
+
+  void add_merge(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command =
+      program.add_subcommand("merge",
+                             "The database of a grid from the rows of its shards (sweep --shard). "
+                             "Options must be those of the sweep.");
+    command->add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
+      ->required();
+    command
+      ->add_option(
+        "SHARDS", options->shards, "the shards' row directories (NAME.shard-1-of-4.h5.rows ...)")
+      ->required();
+    add_settings(*command, sweep_settings(), options->texts, "Options");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    add_settings(*command, solver_settings(), options->texts, "Solver");
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,72 @@
+#include "runs/commands/sweep_options.h"
+
+#include "runs/commands/options.h"
+#include "solver/environment.h"
+#include "solver/families.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace dpcontact::commands
+{
+  std::vector<Setting> sweep_settings()
+  {
+    return {{"jobs", Setting::Kind::count, "worker processes [all cores]"},
+            {"mode",
+             Setting::Kind::choice,
+             "direct: every row for itself; families: one loading path for rows of equal nu and "
+             "phi [direct]",
+             Dimension::number,
+             {"direct", "families"}},
+            {"database",
+             Setting::Kind::text,
+             "HDF5 file; finished rows are kept in FILE.rows beside it "
+             "[the parameter file's name with .h5, here]"}};
+  }
+
+  Sweep read_sweep(const std::string &parameter_file, const SettingTexts &given)
+  {
+    const SettingTexts texts =
+      merged(parameter_file, scene_settings() + solver_settings() + sweep_settings(), given);
+    Sweep sweep;
+    sweep.cases  = read_grid(texts);
+    sweep.solver = read_solver_options(texts);
+
+    const auto database = texts.find("database");
+    if (database == texts.end())
+      sweep.database = std::filesystem::path(parameter_file).filename().replace_extension(".h5");
+    else if (database->second.empty())
+      throw InputError("database: is empty");
+    else
+      sweep.database = database->second;
+
+    const auto mode = texts.find("mode");
+    if (mode != texts.end())
+      {
+        for (const Setting &setting : sweep_settings())
+          if (setting.name == mode->first)
+            setting.check(mode->second);
+        sweep.mode = mode->second == "families" ? SweepMode::families : SweepMode::direct;
+        if (sweep.mode == SweepMode::families)
+          for (const Case &input : sweep.cases)
+            check_similar(input.material);
+      }
+
+    const auto         jobs  = texts.find("jobs");
+    const unsigned int ranks = launched_ranks();
+    if (ranks > 1)
+      {
+        if (jobs != texts.end())
+          throw InputError("jobs: '" + jobs->second +
+                           "' is set, but under MPI the launcher decides (" +
+                           std::to_string(ranks) + " ranks, mpirun -np); leave jobs out");
+        sweep.jobs = ranks;
+      }
+    else
+      sweep.jobs = jobs == texts.end() ? std::max(1U, std::thread::hardware_concurrency())
+                                       : parse_count("jobs", jobs->second);
+    if (sweep.jobs == 0)
+      throw InputError("jobs: '0' is too few; there must be at least 1");
+    return sweep;
+  }
+} // namespace dpcontact::commands

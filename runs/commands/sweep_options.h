@@ -1,0 +1,20 @@
+#ifndef DPCONTACT_RUNS_COMMANDS_SWEEP_OPTIONS_H
+#define DPCONTACT_RUNS_COMMANDS_SWEEP_OPTIONS_H
+
+#include "runs/settings.h"
+#include "runs/sweep.h"
+
+#include <string>
+#include <vector>
+
+namespace dpcontact::commands
+{
+  /// jobs, mode, database: what a sweep has besides material, scene and solver.
+  std::vector<Setting> sweep_settings();
+
+  /// The whole grid of a parameter file and what the command line says about it.
+  /// @throws InputError for a value that is wrong, and for jobs under MPI; FileError.
+  Sweep read_sweep(const std::string &parameter_file, const SettingTexts &given);
+} // namespace dpcontact::commands
+
+#endif
