@@ -61,7 +61,6 @@ namespace dpcontact
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
   }
 
-
   unsigned int launched_ranks()
   {
     // Open MPI's mpirun; the process managers of MPICH and Intel MPI, srun --mpi=pmi2

@@ -1,0 +1,97 @@
+"""dpcontact solve in space: linear solvers, processes of mpirun, checkpoints, second bodies."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+import program
+from program import BAD_INPUT, CORRUPT, MISMATCH, SUCCESS
+
+ROCK = ["--E", "10GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa"]
+# Small, but yielding: 8 loading and 4 unloading steps after a run of half as many.
+SMALL = ["solve", *ROCK, "--geometry", "sector", "--resolution", "4", "--domain-radius", "30",
+         "--loading-steps", "16", "--extrapolation", "off"]
+NUMBERS = ["a", "b", "m", "n"]
+
+
+class Space(program.TestCase):
+    def ranks(self, n, *arguments):
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                       "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        return subprocess.run(["mpirun", "--oversubscribe", "-np", str(n), program.PROGRAM,
+                               *arguments], stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, cwd=self.directory, env=environment)
+
+    def expect_same(self, one, other, relative):
+        for name in NUMBERS:
+            self.assertAlmostEqual(one["fit"][name] / other["fit"][name], 1, delta=relative)
+        self.assertAlmostEqual(one["peak"]["approach"] / other["peak"]["approach"], 1,
+                               delta=relative)
+        self.assertAlmostEqual(one["residual_approach"] / other["residual_approach"], 1,
+                               delta=10 * relative)  # a small difference of large numbers
+        self.assertLessEqual(abs(one["cost"]["newton_iterations"] -
+                                 other["cost"]["newton_iterations"]),
+                             .02 * one["cost"]["newton_iterations"])
+
+    def test_processes_and_linear_solvers_agree(self):
+        alone = {kind: self.document(*SMALL, "--linear-solver", kind)
+                 for kind in ["direct", "iterative"]}
+        self.assertGreater(alone["direct"]["residual_approach"],
+                           .03 * alone["direct"]["peak"]["approach"])
+        for name in NUMBERS:
+            self.assertAlmostEqual(alone["iterative"]["fit"][name] / alone["direct"]["fit"][name],
+                                   1, delta=1e-7)
+        for kind, n in [("direct", 2), ("iterative", 2), ("iterative", 4)]:
+            with self.subTest(kind=kind, n=n):
+                result = self.ranks(n, *SMALL, "--linear-solver", kind, "--json")
+                self.assertEqual(result.returncode, SUCCESS, result.stderr)
+                other = json.loads(result.stdout)
+                self.assertEqual(other["linear_solver"]["processes"], n)
+                self.assertEqual(other["linear_solver"]["iterations"] > 0, kind == "iterative")
+                self.expect_same(alone[kind], other, 1e-8)
+
+    def test_a_killed_run_goes_on(self):
+        undisturbed = self.document(*SMALL)
+        kept = self.directory / "kept"
+        command = [program.PROGRAM, *SMALL, "--checkpoint", str(kept), "--json"]
+        for _ in range(3):
+            before = kept.read_bytes() if kept.exists() else b""
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            while process.poll() is None and not (kept.exists() and kept.read_bytes() != before):
+                time.sleep(.01)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        self.assertTrue(kept.exists())
+
+        message = self.fail_with(MISMATCH, *SMALL[:-2], "--extrapolation", "on", "--checkpoint",
+                                 kept)
+        self.assertIn("extrapolation", message)
+        content = kept.read_bytes()
+        kept.write_bytes(content[:-1])
+        self.fail_with(CORRUPT, *SMALL, "--checkpoint", kept)
+        kept.write_bytes(content)
+
+        resumed = json.loads(self.succeed(*SMALL, "--checkpoint", kept, "--json").stdout)
+        self.expect_same(undisturbed, resumed, 1e-12)
+        self.assertFalse(kept.exists())
+
+    def test_two_bodies(self):
+        two = self.document(*SMALL, "--radius-2", "0.1m")
+        self.expect_same(self.document(*SMALL), two, 1e-5)  # contact: 1e-6 of the approach
+        rigid = self.document(*SMALL, "--radius-2", "flat", "--E-2", "rigid")
+        self.assertEqual(rigid["scene"]["second"], {"radius": "flat", "rigid": True})
+
+    def test_what_does_not_go_together_is_refused(self):
+        self.assertIn("serendipity", self.fail_with(BAD_INPUT, *SMALL, "--element", "serendipity"))
+        self.assertIn("nu-2", self.fail_with(BAD_INPUT, *SMALL, "--E-2", "rigid", "--nu-2", ".2"))
+        self.assertIn("sector-angle", self.fail_with(BAD_INPUT, *SMALL, "--sector-angle", "30"))
+        result = self.ranks(2, "solve", *ROCK)
+        self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+        self.assertIn("axisymmetric", result.stderr)
+
+
+if __name__ == "__main__":
+    program.main()
