@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -82,9 +84,11 @@ namespace
     const double   contact = hertz::contact_radius(scene, hertz);
     EXPECT_NEAR(curve.loading.back().approach / hertz, 1, 2e-3);         // what is asked of it
     EXPECT_NEAR(curve.loading.back().contact_radius / contact, 1, 5e-3); // a fifth of an element
-    for (const CurvePoint &point : curve.unloading)
-      if (point.force > 0)
+    for (std::size_t i = 0; i + 1 < curve.unloading.size(); ++i)
+      {
+        const CurvePoint &point = curve.unloading[i];
         EXPECT_NEAR(point.approach / hertz::approach(first, scene, point.force), 1, 5e-3);
+      }
     EXPECT_NEAR(curve.residual_approach(), 0, 1e-5 * hertz);
   }
 
