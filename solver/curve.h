@@ -16,10 +16,10 @@ namespace dpcontact
     double force    = unset; ///< normal force F, N
     double contact_radius = unset; ///< radius of the contact's edge, m
     double pressure_max   = unset; ///< largest contact pressure, Pa
-    double plastic_volume = unset; ///< volume of one sphere that has yielded so far, m³
+    double plastic_volume = unset; ///< yielded so far, of one of two alike spheres or of both, m³
     double dissipated_energy = unset; ///< Σ ∫ σₙ₊₁:Δεᵖ dV over both spheres since the start, J
     double plastic_strain_max = unset; ///< largest accumulated plastic strain ∫ √(2/3) |dεᵖ|
-    double mises_stress_max   = unset; ///< largest von Mises stress in a sphere, Pa
+    double mises_stress_max   = unset; ///< largest von Mises stress in either body, Pa
     int    newton_iterations  = 0;     ///< Newton iterations spent on this point
   };
 
