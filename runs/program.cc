@@ -38,6 +38,7 @@ namespace dpcontact
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
       commands::add_compare(program, action);
+      commands::add_validate(program, action);
 
       try
         {
