@@ -39,6 +39,7 @@ namespace dpcontact
       commands::add_hard_cases(program, action);
       commands::add_compare(program, action);
       commands::add_validate(program, action);
+      commands::add_collide(program, action);
 
       try
         {

@@ -1,11 +1,10 @@
-#include "database/contact_law.h"
 #include "database/files.h"
 #include "database/store.h"
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/contact_law_input.h"
 #include "runs/documents.h"
-#include "runs/progress.h"
 #include "runs/row.h"
 #include "runs/validation.h"
 #include "runs/worker_pool.h"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -85,40 +83,6 @@ namespace dpcontact::commands
       return errors;
     }
 
-    std::optional<UniversalTable> read_table(const std::string &file)
-    {
-      if (file.empty())
-        return std::nullopt;
-      std::ifstream stream(file);
-      if (!stream)
-        throw FileError("cannot read the universal table '" + file +
-                        "': check the path and its permissions");
-      try
-        {
-          return UniversalTable::read(stream);
-        }
-      catch (const std::runtime_error &error)
-        {
-          throw CorruptData("'" + file + "': " + error.what());
-        }
-    }
-
-    ContactMaterial contact_material(const Case &input)
-    {
-      return {input.material.youngs_modulus,
-              input.material.poisson_ratio,
-              input.friction_angle_degrees,
-              input.material.compressive_strength};
-    }
-
-    bool within(const UniversalTable &table, const Case &input)
-    {
-      return input.material.poisson_ratio >= table.nu.front() &&
-             input.material.poisson_ratio <= table.nu.back() &&
-             input.friction_angle_degrees >= table.phi.front() &&
-             input.friction_angle_degrees <= table.phi.back();
-    }
-
     void add_rows(const Options                       &options,
                   const std::optional<UniversalTable> &table,
                   std::vector<Entry>                  &entries)
@@ -137,10 +101,8 @@ namespace dpcontact::commands
           add("row",
               ContactLaw::from_row(
                 {row.a, row.b, row.m, row.n, row.force_yield_N, row.approach_yield_m, half}));
-          if (table && input.material.criterion == Criterion::drucker_prager &&
-              input.material.hardening == 0 && input.material.flow_stress_ratio == 1 &&
-              !input.material.dilation_angle && within(*table, input))
-            add("universal", ContactLaw::universal(contact_material(input), *table));
+          if (table && covers(*table, input))
+            add("universal", contact_law(input, *table));
         }
     }
 
@@ -157,8 +119,8 @@ namespace dpcontact::commands
       const auto row = row_of_history(computed.legs, computed.yield, input.scene.radius);
       result["row"]  = json_of(law_errors(ContactLaw::from_row(row).pair(half), computed.legs));
       if (table)
-        result["universal"] = json_of(law_errors(
-          ContactLaw::universal(contact_material(input), *table).pair(half), computed.legs));
+        result["universal"] =
+          json_of(law_errors(contact_law(input, *table).pair(half), computed.legs));
       result["load_level"] = input.scene.force_max / computed.yield.force;
       return result.dump();
     }
@@ -345,8 +307,10 @@ namespace dpcontact::commands
     {
       if (options.database.empty() && options.histories == 0)
         throw InputError("validate: give a DATABASE, --histories, or both");
-      const auto               table = read_table(options.table);
-      const SolverOptions      used  = read_solver_options(options.texts);
+      std::optional<UniversalTable> table;
+      if (!options.table.empty())
+        table = read_universal_table(options.table);
+      const SolverOptions      used = read_solver_options(options.texts);
       std::vector<Entry>       entries;
       std::vector<std::string> failures;
       if (!options.database.empty())
