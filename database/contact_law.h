@@ -232,24 +232,45 @@ namespace dpcontact
       std::vector<double> x, y, d;
     };
 
-    /// Weights of Lagrange's interpolation at `at` by the four nodes around it, or by all where
-    /// there are fewer.
+    /// Lagrange's weights at `at` of `count` nodes of an axis.
+    inline std::vector<double> lagrange(const std::vector<double> &axis,
+                                        const std::size_t          first,
+                                        const std::size_t          count,
+                                        const double               at)
+    {
+      std::vector<double> result(count, 1.);
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < count; ++k)
+          if (k != i)
+            result[i] *= (at - axis[first + k]) / (axis[first + i] - axis[first + k]);
+      return result;
+    }
+
+    /// Weights of the interpolation at `at`: by all nodes where their polynomial does not swing
+    /// (its Lebesgue constant is below 3: up to five nodes, or Chebyshev–Lobatto points), otherwise
+    /// by the four around it.
     inline std::pair<std::size_t, std::vector<double>>
     weights(const std::vector<double> &axis, const double at, const char *name)
     {
       std::ostringstream range;
       range << "within the universal table, from " << axis.front() << " to " << axis.back();
       check(at >= axis.front() && at <= axis.back(), name, at, range.str().c_str());
-      const std::size_t n = axis.size(), count = std::min<std::size_t>(n, 4);
-      const auto        above =
+      const std::size_t n       = axis.size();
+      double            largest = 0;
+      for (std::size_t i = 0; i + 1 < n; ++i)
+        for (double t = 0.1; t < 1; t += 0.1)
+          {
+            double sum = 0;
+            for (const double w : lagrange(axis, 0, n, axis[i] + t * (axis[i + 1] - axis[i])))
+              sum += std::abs(w);
+            largest = std::max(largest, sum);
+          }
+      if (largest < 3 || n <= 4)
+        return {0, lagrange(axis, 0, n, at)};
+      const auto above =
         static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), at) - axis.begin());
-      const std::size_t   first = std::min(above < 2 ? 0 : above - 2, n - count);
-      std::vector<double> result(count, 1.);
-      for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t k = 0; k < count; ++k)
-          if (k != i)
-            result[i] *= (at - axis[first + k]) / (axis[first + i] - axis[first + k]);
-      return {first, result};
+      const std::size_t first = std::min(above < 2 ? 0 : above - 2, n - 4);
+      return {first, lagrange(axis, first, 4, at)};
     }
   } // namespace contact_law_detail
 
@@ -288,7 +309,7 @@ namespace dpcontact
 
   /// The universal table: what finite elements give over (ν, φ, Λ = F/F_y), for every radius,
   /// stiffness and strength.
-  struct UniversalTable
+  struct ContactTable
   {
     std::vector<double> nu, phi, load_level; ///< ascending; φ in degrees, Λ
     /// Over (ν, φ, Λ), Λ fastest: δ/δ_y when F first reaches Λ F_y; δ_res/δ_y after release from
@@ -304,7 +325,7 @@ namespace dpcontact
     /// order, others ignored; lines that begin with '#' are comments. Every (ν, φ) has every Λ,
     /// once.
     /// @throws std::runtime_error saying what is wrong and in which line.
-    static UniversalTable read(std::istream &stream)
+    static ContactTable read(std::istream &stream)
     {
       const std::vector<std::string> names{
         "nu", "phi_deg", "load_level", "approach", "residual_approach", "m", "n"};
@@ -358,8 +379,8 @@ namespace dpcontact
             fail("this nu, phi_deg and load_level stand there twice");
         }
 
-      UniversalTable table;
-      const auto     collect = [&](std::vector<double> &axis, const std::size_t c) {
+      ContactTable table;
+      const auto   collect = [&](std::vector<double> &axis, const std::size_t c) {
         for (const auto &row : rows)
           axis.push_back(row.second[c]);
         std::sort(axis.begin(), axis.end());
@@ -449,9 +470,9 @@ namespace dpcontact
     }
 
     /// One loading curve for every peak, and m and n as functions of the contact's own peak.
-    /// Interpolates the table in (ν, φ), by cubics where it has four nodes, once.
+    /// Interpolates the table in (ν, φ), smoothly, once.
     /// @throws std::runtime_error naming what is out of range.
-    static ContactLaw universal(const ContactMaterial &material, const UniversalTable &table)
+    static ContactLaw universal(const ContactMaterial &material, const ContactTable &table)
     {
       using namespace contact_law_detail;
       const YieldScales scales   = yield_scales(material);

@@ -101,7 +101,7 @@ dpcontact_law *dpcontact_law_universal(const double youngs_modulus,
                                  (table_file != nullptr ? table_file : "") + "'");
       return ContactLaw::universal(
         {youngs_modulus, poisson_ratio, friction_angle_deg, compressive_strength},
-        UniversalTable::read(file));
+        ContactTable::read(file));
     },
     message,
     message_size);

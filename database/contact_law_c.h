@@ -47,7 +47,7 @@ extern "C"
                                                   char  *message,
                                                   size_t message_size);
 
-  /* A universal law, with the table read from a CSV file (UniversalTable::read). */
+  /* A universal law, with the table read from a CSV file (ContactTable::read). */
   dpcontact_law *dpcontact_law_universal(double      youngs_modulus,
                                          double      poisson_ratio,
                                          double      friction_angle_deg,

@@ -23,7 +23,7 @@ namespace dpcontact
     }
   } // namespace
 
-  UniversalTable read_universal_table(const std::string &file)
+  ContactTable read_universal_table(const std::string &file)
   {
     std::ifstream stream(file);
     if (!stream)
@@ -31,7 +31,7 @@ namespace dpcontact
                       "': check the path and its permissions");
     try
       {
-        return UniversalTable::read(stream);
+        return ContactTable::read(stream);
       }
     catch (const std::runtime_error &error)
       {
@@ -39,7 +39,7 @@ namespace dpcontact
       }
   }
 
-  bool covers(const UniversalTable &table, const Case &input)
+  bool covers(const ContactTable &table, const Case &input)
   {
     const Material &material = input.material;
     return material.criterion == Criterion::drucker_prager && material.hardening == 0 &&
@@ -50,7 +50,7 @@ namespace dpcontact
            input.friction_angle_degrees <= table.phi.back();
   }
 
-  ContactLaw contact_law(const Case &input, const UniversalTable &table)
+  ContactLaw contact_law(const Case &input, const ContactTable &table)
   {
     const Material &material = input.material;
     if (material.criterion != Criterion::drucker_prager || material.hardening != 0 ||

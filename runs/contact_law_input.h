@@ -10,14 +10,14 @@
 namespace dpcontact
 {
   /// @throws FileError where it cannot be read, CorruptData saying what is wrong with it.
-  UniversalTable read_universal_table(const std::string &file);
+  ContactTable read_universal_table(const std::string &file);
 
   /// Whether the table's material is this one's kind (perfectly plastic associated Drucker–Prager)
   /// and its ν and φ are within.
-  bool covers(const UniversalTable &table, const Case &input);
+  bool covers(const ContactTable &table, const Case &input);
 
   /// The universal law of a material. @throws InputError unless the table covers it.
-  ContactLaw contact_law(const Case &input, const UniversalTable &table);
+  ContactLaw contact_law(const Case &input, const ContactTable &table);
 
   /// The law of a row a, b, m, n of the consistent convention, for spheres of the scene's radius.
   /// @throws InputError where one is not positive.

@@ -102,34 +102,38 @@ namespace dpcontact
     HalfSpaceModel model(material, scene, used, pilot.contact_radius);
 
     auto       legs = legs_of(turning_points);
+    bool       cut  = false; // steps that were cut are no longer twice the finer ones
     const auto run  = [&] {
       Legs result = model.run_history(legs, observer);
       add_cost(history.cost, model);
-      if (model.counters().cut_backs > 0)
-        throw SolverError(
-          "force history: a load step had to be cut, so that its error is not known; "
-           "ask for more steps by a smaller step-tolerance");
+      cut = model.counters().cut_backs > 0;
       return result;
     };
-    Legs coarse = run(), before;
+    Legs coarse     = run(), before;
+    bool cut_before = cut;
     for (unsigned int steps = first_steps;; steps *= 2)
       {
         for (auto &leg : legs)
           leg.steps *= 2;
-        Legs fine          = run();
-        Legs finer         = extrapolated(coarse, fine);
-        history.step_error = (before.empty() ? share_of_first_difference : share_of_difference) *
+        Legs       fine    = run();
+        Legs       finer   = extrapolated(coarse, fine);
+        const bool known   = !cut && !cut_before;
+        history.step_error = (!known           ? 1.
+                              : before.empty() ? share_of_first_difference
+                                               : share_of_difference) *
                              difference(coarse, fine, most);
-        if (!before.empty())
+        if (known && !before.empty())
           history.step_error = std::max(
             history.step_error, share_of_extrapolated_difference * difference(before, finer, most));
-        if (history.step_error <= options.step_tolerance || 2 * steps >= most_steps)
+        if ((known && history.step_error <= options.step_tolerance) || 2 * steps >= most_steps)
           {
             history.legs = std::move(finer);
             return history;
           }
-        coarse = std::move(fine);
-        before = std::move(finer);
+        coarse     = std::move(fine);
+        cut_before = cut;
+        if (known)
+          before = std::move(finer);
       }
   }
 } // namespace dpcontact

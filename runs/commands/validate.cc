@@ -84,7 +84,7 @@ namespace dpcontact::commands
     }
 
     void add_rows(const Options                       &options,
-                  const std::optional<UniversalTable> &table,
+                  const std::optional<ContactTable> &table,
                   std::vector<Entry>                  &entries)
     {
       for (const Record &row : read_store(options.database).records)
@@ -108,7 +108,7 @@ namespace dpcontact::commands
 
     /// Both laws against one history, as JSON text from a worker.
     std::string run_history(const RandomHistory                 &history,
-                            const std::optional<UniversalTable> &table,
+                            const std::optional<ContactTable> &table,
                             const SolverOptions                 &used)
     {
       const Case        &input = history.input;
@@ -126,7 +126,7 @@ namespace dpcontact::commands
     }
 
     void add_histories(const Options                       &options,
-                       const std::optional<UniversalTable> &table,
+                       const std::optional<ContactTable> &table,
                        const SolverOptions                 &used,
                        std::vector<Entry>                  &entries,
                        std::vector<std::string>            &failures)
@@ -307,7 +307,7 @@ namespace dpcontact::commands
     {
       if (options.database.empty() && options.histories == 0)
         throw InputError("validate: give a DATABASE, --histories, or both");
-      std::optional<UniversalTable> table;
+      std::optional<ContactTable> table;
       if (!options.table.empty())
         table = read_universal_table(options.table);
       const SolverOptions      used = read_solver_options(options.texts);

@@ -49,7 +49,7 @@ namespace dpcontact::dem
       error->all(FLERR, std::string("pair_style dpcontact: cannot read ") + words[1]);
     try
       {
-        table = UniversalTable::read(file);
+        table = ContactTable::read(file);
       }
     catch (const std::exception &problem)
       {

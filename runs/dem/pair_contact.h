@@ -32,7 +32,7 @@ namespace dpcontact::dem
     void   compute(int eflag, int vflag) override;
 
   private:
-    std::optional<UniversalTable> table; ///< unset: a row
+    std::optional<ContactTable> table; ///< unset: a row
     std::optional<ContactLaw>     law;
     FixContactHistory            *history        = nullptr;
     double                        largest_radius = 0;

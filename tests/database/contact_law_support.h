@@ -12,12 +12,12 @@
 namespace dpcontact::tests
 {
   /// ν .1, .2, .3, φ 20, 30, 40°, Λ 1/8 to 4096: `dpcontact sweep --mode families` of these.
-  inline const UniversalTable &small_table()
+  inline const ContactTable &small_table()
   {
-    static const UniversalTable table = [] {
+    static const ContactTable table = [] {
       std::ifstream file(DPCONTACT_SMALL_TABLE);
       EXPECT_TRUE(file) << DPCONTACT_SMALL_TABLE;
-      return UniversalTable::read(file);
+      return ContactTable::read(file);
     }();
     return table;
   }

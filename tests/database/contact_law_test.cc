@@ -161,7 +161,7 @@ namespace
 
   TEST(contact_law, universal_law_passes_through_its_table)
   {
-    const UniversalTable &table = small_table();
+    const ContactTable &table = small_table();
     for (std::size_t i = 0; i < table.nu.size(); ++i)
       for (std::size_t k = 0; k < table.phi.size(); ++k)
         {
@@ -249,7 +249,7 @@ namespace
   TEST(contact_law, goes_on_beyond_the_table_and_says_so)
   {
     const ContactLaw      law   = ContactLaw::universal(rock_of(.2, 30), small_table());
-    const UniversalTable &table = small_table();
+    const ContactTable &table = small_table();
     const double          end   = table.approach[table.index(1, 1, table.load_level.size() - 1)] *
                        law.approach_yield(half_radius);
     ContactState state;
@@ -324,10 +324,10 @@ namespace
         text << "30," << nu << ",hello," << level << ",1.5," << std::pow(level, .7) << ",1.4,0.1\n";
     const auto read = [](const std::string &csv) {
       std::istringstream stream(csv);
-      return UniversalTable::read(stream);
+      return ContactTable::read(stream);
     };
     const std::string    good  = text.str();
-    const UniversalTable table = read(good);
+    const ContactTable table = read(good);
     EXPECT_EQ(table.nu, (std::vector<double>{.1, .2}));
     EXPECT_EQ(table.phi, std::vector<double>{30});
     EXPECT_EQ(table.load_level, (std::vector<double>{1, 2, 4, 8, 16}));
