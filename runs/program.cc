@@ -43,6 +43,8 @@ namespace dpcontact
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
       commands::add_compare(program, action);
+      commands::add_validate(program, action);
+      commands::add_collide(program, action);
 
       try
         {

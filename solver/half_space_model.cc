@@ -348,6 +348,35 @@ namespace dpcontact
         point.plastic_strain_max *= unit_system.displacement / unit_system.length;
       }
   }
+  template <int dim>
+  std::vector<std::vector<CurvePoint>> ContactModel<dim>::run_history(const std::vector<Leg> &legs,
+                                                                      const StepObserver &observer)
+  {
+    LoadPath<dim>                        path    = start_path(1, observer);
+    const double                         guess   = peak_approach_guess / unit_system.displacement;
+    double                               present = 0;
+    std::vector<std::vector<CurvePoint>> result;
+    for (const Leg &leg : legs)
+      {
+        const double force = leg.force / unit_system.force(), steps = leg.steps;
+        if (present == 0)
+          result.push_back(path.load(force,
+                                     guess * std::pow(leg.force / scene.force_max, 2. / 3),
+                                     [steps](const double level, const CurvePoint &) {
+                                       return (std::round(level * steps) + 1) / steps;
+                                     }));
+        else if (force == 0)
+          result.push_back(path.unload(leg.steps));
+        else
+          result.push_back(path.to_force(force, leg.steps));
+        present = force;
+      }
+    take_counts(path);
+    for (auto &leg : result)
+      to_si(leg);
+    return result;
+  }
+
   template class ContactModel<2>;
   template class ContactModel<3>;
 } // namespace dpcontact

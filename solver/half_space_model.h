@@ -66,6 +66,18 @@ namespace dpcontact
                                   const std::vector<double> &forces,
                                   const StepObserver        &observer);
 
+    /// One leg of a history of forces: from where the last one ended to `force` (N; 0 releases).
+    struct Leg
+    {
+      double       force;
+      unsigned int steps;
+    };
+
+    /// The legs of a history, from the virgin state; each begins with the last point of the one
+    /// before. After a release the next one loads anew.
+    std::vector<std::vector<CurvePoint>> run_history(const std::vector<Leg> &legs,
+                                                     const StepObserver     &observer);
+
     /// The loading branch alone, from the virgin state.
     std::vector<CurvePoint> run_to_peak(unsigned int loading_steps, const StepObserver &observer);
 

@@ -441,6 +441,29 @@ namespace dpcontact
       }
   }
 
+  template <int dim>
+  std::vector<CurvePoint> LoadPath<dim>::to_force(const double force, const unsigned int steps)
+  {
+    std::vector<CurvePoint> points{record()};
+    const double            present = system.force();
+    const double            most    = std::max(force, present);
+    const double            power   = force > present ? 3 : 1.5;
+    const auto   force_of = [&](const double level) { return most * std::pow(level, power); };
+    const double from = std::pow(present / most, 1 / power), to = std::pow(force / most, 1 / power);
+    state.peak_force   = std::max(state.peak_force, force);
+    state.unloading    = true;  // residual stresses stay
+    state.has_previous = false; // the tangent turns where the path does
+    for (unsigned int i = 1; i <= steps; ++i)
+      {
+        const auto level = [&](const unsigned int k) { return from + (to - from) * k / steps; };
+        advance(force > present ? "reloading" : "unloading", force_of, level(i - 1), level(i));
+        points.push_back(record());
+        if (observer)
+          observer("history", static_cast<double>(i) / steps, points.back().newton_iterations);
+      }
+    return points;
+  }
+
   template class LoadPath<2>;
   template class LoadPath<3>;
 } // namespace dpcontact

@@ -88,6 +88,13 @@ namespace dpcontact
     /// of contact, its approach that at which the plane would touch the deformed surface.
     std::vector<CurvePoint> unload();
 
+    /// Likewise in `steps` steps.
+    std::vector<CurvePoint> unload(unsigned int steps);
+
+    /// From the present state, in contact, to another force > 0, in `steps` equal steps of the
+    /// force's own parameter (as load() up, as unload() down). The first point is the present one.
+    std::vector<CurvePoint> to_force(double force, unsigned int steps);
+
     const Counters   &counters() const { return count; }
     const PathChecks &checks() const { return state.checked; }
     /// Newton's residuals in the last step, for convergence tests.
@@ -101,7 +108,6 @@ namespace dpcontact
                                     const std::function<double(double)> &force_of,
                                     double                               from,
                                     double                               to);
-    std::vector<CurvePoint> unload(unsigned int steps);
     void                    check(const typename ContactSystem<dim>::Integrals &integrals);
     CurvePoint              record();
 

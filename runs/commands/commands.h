@@ -25,6 +25,8 @@ namespace dpcontact::commands
   void add_fit(CLI::App &program, Action &action);
   void add_export(CLI::App &program, Action &action);
   void add_hard_cases(CLI::App &program, Action &action);
+  void add_validate(CLI::App &program, Action &action);
+  void add_collide(CLI::App &program, Action &action);
 } // namespace dpcontact::commands
 
 #endif

@@ -19,6 +19,9 @@ GENERATED = {"git_revision.h"}
 
 MAX_LINES = 500
 
+# One file on purpose: a discrete-element code takes it away alone.
+LONGER = {"database/contact_law.h": 850}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -49,8 +52,9 @@ def long_files(root):
     for folder in ROOMS + ["tests"]:
         for path in sources(root, folder, {".h", ".cc", ".py"}):
             lines = len(path.read_text(encoding="utf-8").splitlines())
-            if lines > MAX_LINES:
-                found.append(f"{path.relative_to(root)}: {lines} lines")
+            name = path.relative_to(root).as_posix()
+            if lines > LONGER.get(name, MAX_LINES):
+                found.append(f"{name}: {lines} lines")
     return found
 
 

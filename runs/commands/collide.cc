@@ -1,0 +1,102 @@
+#include "runs/collision.h"
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/contact_law_input.h"
+#include "runs/documents.h"
+#include "solver/first_yield.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts        texts;
+      std::string         parameter_file, table, radius_2;
+      std::vector<double> row;
+      double              density = 0, velocity = 0;
+      unsigned int        steps = 20000;
+      bool                json  = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
+      const double radius   = input.scene.radius;
+      const double radius_2 = options.radius_2.empty()
+                                ? radius
+                                : parse_quantity("radius-2", options.radius_2, Dimension::length);
+      if (options.table.empty() == options.row.empty())
+        throw InputError("collide: give --table for the universal law, or --row a,b,m,n");
+      const FirstYield       yield = first_yield(input.material, radius);
+      const ContactLaw       law   = options.table.empty()
+                                       ? contact_law(input, options.row, yield)
+                                       : contact_law(input, read_universal_table(options.table));
+      const CollidingSpheres spheres{radius, radius_2, options.density, options.velocity};
+      const Collision        hit  = collide(law, spheres, options.steps);
+      const double           half = ContactLaw::effective_radius(radius, radius_2);
+      if ((hit.flags & contact_extrapolated) != 0)
+        std::cerr << "dpcontact: warning: the peak lies beyond the universal table\n";
+      if ((hit.flags & contact_strain_large) != 0)
+        std::cerr << "dpcontact: warning: small strain is left behind: a/R > 0.1 at the peak\n";
+      if (options.json)
+        print_document({{"material", material_json(input)},
+                        {"radius", radius},
+                        {"radius_2", radius_2},
+                        {"density", options.density},
+                        {"velocity", options.velocity},
+                        {"effective_mass", spheres.effective_mass()},
+                        {"peak_overlap", hit.peak_overlap},
+                        {"peak_force", hit.peak_force},
+                        {"load_level", hit.peak_force / law.force_yield(half)},
+                        {"duration", hit.duration},
+                        {"rebound_velocity", hit.rebound_velocity},
+                        {"restitution", hit.restitution},
+                        {"residual_overlap", hit.residual_overlap},
+                        {"strain_large", (hit.flags & contact_strain_large) != 0},
+                        {"extrapolated", (hit.flags & contact_extrapolated) != 0}});
+      else
+        std::cout << "peak     force " << format_quantity(hit.peak_force, Dimension::force) << " ("
+                  << format_quantity(hit.peak_force / law.force_yield(half), Dimension::number)
+                  << " F_y), overlap " << format_quantity(hit.peak_overlap, Dimension::length)
+                  << "\nrebound  " << format_quantity(hit.rebound_velocity, Dimension::number)
+                  << " m/s, restitution " << format_quantity(hit.restitution, Dimension::number)
+                  << ", after " << format_quantity(1e6 * hit.duration, Dimension::number)
+                  << " us\nresidual overlap "
+                  << format_quantity(hit.residual_overlap, Dimension::length) << '\n';
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_collide(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "collide", "Two spheres meet head on: the contact law integrated from touch to separation");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    command
+      ->add_option("--radius-2", options->radius_2, "radius of the second sphere [the first's]")
+      ->type_name("");
+    command->add_option("--density", options->density, "of both, kg/m3")->required()->type_name("");
+    command->add_option("--velocity", options->velocity, "of approach, m/s")
+      ->required()
+      ->type_name("");
+    command->add_option("--table", options->table, "universal table, for the universal law")
+      ->type_name("FILE.csv");
+    command
+      ->add_option(
+        "--row", options->row, "a,b,m,n of the consistent convention, for the law of a row")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("");
+    command->add_option("--steps", options->steps, "about so many over the collision [20000]")
+      ->type_name("N");
+    add_parameter_file(*command, options->parameter_file);
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,28 @@
+#ifndef DPCONTACT_RUNS_CONTACT_LAW_INPUT_H
+#define DPCONTACT_RUNS_CONTACT_LAW_INPUT_H
+
+#include "database/contact_law.h"
+#include "runs/settings.h"
+
+#include <string>
+#include <vector>
+
+namespace dpcontact
+{
+  /// @throws FileError where it cannot be read, CorruptData saying what is wrong with it.
+  ContactTable read_universal_table(const std::string &file);
+
+  /// Whether the table's material is this one's kind (perfectly plastic associated Drucker–Prager)
+  /// and its ν and φ are within.
+  bool covers(const ContactTable &table, const Case &input);
+
+  /// The universal law of a material. @throws InputError unless the table covers it.
+  ContactLaw contact_law(const Case &input, const ContactTable &table);
+
+  /// The law of a row a, b, m, n of the consistent convention, for spheres of the scene's radius.
+  /// @throws InputError where one is not positive.
+  ContactLaw
+  contact_law(const Case &input, const std::vector<double> &row, const FirstYield &yield);
+} // namespace dpcontact
+
+#endif

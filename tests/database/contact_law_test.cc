@@ -1,0 +1,360 @@
+// How a contact law is built: first yield, rows, the universal table, radii, and what is refused.
+#include "solver/first_yield.h"
+#include "solver/hertz.h"
+#include "tests/database/contact_law_support.h"
+#include "tests/support/floating_point_traps.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+  using namespace dpcontact;
+  using tests::half_radius;
+  using tests::rock_of;
+  using tests::small_table;
+  using tests::sphere_radius;
+
+  const auto *const traps = tests::FloatingPointTraps::install();
+
+  Material material_of(const ContactMaterial &rock)
+  {
+    return {rock.youngs_modulus,
+            rock.poisson_ratio,
+            rock.friction_angle_deg * M_PI / 180,
+            rock.compressive_strength};
+  }
+
+  /// Force at the end of a history of overlaps.
+  double force_after(const ContactLaw          &law,
+                     const double               effective_radius,
+                     const std::vector<double> &overlaps)
+  {
+    ContactState state;
+    double       force = 0;
+    for (const double overlap : overlaps)
+      force = law.evaluate(overlap, effective_radius, state).force;
+    return force;
+  }
+
+  TEST(contact_law, first_yield_is_the_solvers)
+  {
+    for (const double nu : {0., .1, .25, .4, .45, .499})
+      for (const double phi : {0., 20., 35., 50., 80.})
+        {
+          const ContactMaterial rock{7e9, nu, phi, 13e6};
+          const YieldScales     scales = yield_scales(rock);
+          const FirstYield      solver = first_yield(material_of(rock), sphere_radius);
+          EXPECT_NEAR(scales.pressure / solver.pressure, 1, 1e-12) << nu << ", " << phi;
+          EXPECT_NEAR(scales.force * half_radius * half_radius / solver.force, 1, 1e-12);
+          EXPECT_NEAR(scales.approach * half_radius / solver.approach, 1, 1e-12);
+          EXPECT_NEAR(scales.onset_level * solver.force / solver.onset_force(), 1, 1e-12);
+        }
+    // Table 3 of the paper, all digits that it prints; δ_y there is that of one sphere.
+    const YieldScales type_1 = yield_scales({10e9, .15, 25, 15e6});
+    EXPECT_NEAR(type_1.force * half_radius * half_radius, 9.056, 5e-4);
+    EXPECT_NEAR(type_1.approach * half_radius / 2, 1.64e-6, 5e-9);
+    const YieldScales type_2 = yield_scales({10e9, .25, 35, 25e6});
+    EXPECT_NEAR(type_2.force * half_radius * half_radius, 84.450, 5e-4);
+    EXPECT_NEAR(type_2.approach * half_radius / 2, 7.06e-6, 5e-9);
+  }
+
+  TEST(contact_law, row_is_eqs_16_to_18)
+  {
+    const double     a = 1.34, b = 1.3692, m = 8.3479, n = 1.2408, F_y = .0283, delta_y = 2e-7;
+    const ContactLaw law   = ContactLaw::from_row({a, b, m, n, F_y, delta_y, half_radius});
+    const double     peak  = 40 * delta_y;
+    const double     F_p   = F_y * a * std::pow(40, b);
+    const double     width = delta_y * std::pow(F_p / (m * F_y), 1 / n);
+    EXPECT_NEAR(force_after(law, half_radius, {peak}), F_p, 1e-13 * F_p);
+    for (const double share : {.1, .5, .9})
+      EXPECT_NEAR(force_after(law, half_radius, {peak, peak - (1 - share) * width}),
+                  F_y * m * std::pow(share * width / delta_y, n),
+                  1e-11 * F_p);
+    const ContactCoefficients at = law.coefficients(peak, half_radius);
+    EXPECT_NEAR(at.m, m, 1e-12 * m);
+    EXPECT_EQ(at.n, n);
+    EXPECT_NEAR(at.residual, peak - width, 1e-12 * peak);
+    EXPECT_NEAR(law.force_yield(half_radius), F_y, 1e-15);
+  }
+
+  TEST(contact_law, published_convention_is_the_same_law)
+  {
+    const double a = 1.0148, b = 1.4729, m = 1.1829, n = 1.4643, F_y = 9.056, delta_y = 3.2792e-6;
+    const ContactLaw consistent = ContactLaw::from_row({a, b, m, n, F_y, delta_y, half_radius});
+    const ContactLaw published  = ContactLaw::from_row(ContactRow::published(
+      a * std::pow(2, -b), b, m * std::pow(2, -n), n, F_y, delta_y / 2, half_radius));
+    for (const double peak : {.5, 2., 5., 70.})
+      for (const double back : {1., .95, .7})
+        {
+          const double force =
+            force_after(consistent, half_radius, {peak * delta_y, back * peak * delta_y});
+          EXPECT_NEAR(force_after(published, half_radius, {peak * delta_y, back * peak * delta_y}),
+                      force,
+                      1e-13 * force);
+        }
+    // As eq (16) is printed: δ mutual over δ_y of one sphere.
+    EXPECT_NEAR(force_after(published, half_radius, {5 * delta_y}),
+                F_y * a * std::pow(2, -b) * std::pow(5 * delta_y / (delta_y / 2), b),
+                1e-12);
+  }
+
+  TEST(contact_law, elastic_limit_is_hertz)
+  {
+    const ContactMaterial strong{10e9, .2, 30, 1e9};
+    const ContactLaw      law = ContactLaw::universal(strong, small_table());
+    for (const double overlap : {1e-9, 1e-6, 1e-4})
+      {
+        const double hertz = hertz::force(material_of(strong), sphere_radius, overlap);
+        EXPECT_NEAR(force_after(law, half_radius, {overlap}), hertz, 1e-13 * hertz);
+        EXPECT_NEAR(force_after(law, half_radius, {2 * overlap, overlap}), hertz, 1e-13 * hertz);
+      }
+  }
+
+  TEST(contact_law, only_reduced_quantities_matter)
+  {
+    // Equal ν and φ: F/F_y over δ/δ_y is one curve for every E, σc and radius. 1e-12: rounding.
+    const ContactLaw one   = ContactLaw::universal({10e9, .23, 33, 5e6}, small_table());
+    const ContactLaw other = ContactLaw::universal({70e9, .23, 33, 40e6}, small_table());
+    for (const double x : {.5, 3., 40., 300.})
+      for (const double back : {1., .9, .6})
+        {
+          const double r = 3e-4;
+          const double d = one.approach_yield(half_radius), e = other.approach_yield(r);
+          EXPECT_NEAR(force_after(one, half_radius, {x * d, back * x * d}) /
+                        one.force_yield(half_radius),
+                      force_after(other, r, {x * e, back * x * e}) / other.force_yield(r),
+                      1e-11 * std::pow(x, 1.5));
+        }
+  }
+
+  TEST(contact_law, unequal_radii_mix_by_the_effective_radius)
+  {
+    EXPECT_DOUBLE_EQ(ContactLaw::effective_radius(.1, .1), .05);
+    EXPECT_DOUBLE_EQ(ContactLaw::effective_radius(.3, .1), .075);
+    EXPECT_NEAR(ContactLaw::effective_radius(1e9, .1), .1, 1e-10);
+    const ContactLaw row =
+      ContactLaw::from_row({1.34, 1.3692, 8.3479, 1.2408, .0283, 2e-7, half_radius});
+    EXPECT_NEAR(row.force_yield(3 * half_radius), 9 * .0283, 1e-14);
+    EXPECT_NEAR(row.approach_yield(3 * half_radius), 3 * 2e-7, 1e-20);
+    for (const auto &[name, law] : tests::laws())
+      {
+        const double r = ContactLaw::effective_radius(.02, .07), ratio = r / half_radius;
+        for (const double back : {1., .93, .8})
+          {
+            const double force = force_after(law, half_radius, {3e-5, back * 3e-5});
+            EXPECT_NEAR(force_after(law, r, {3e-5 * ratio, back * 3e-5 * ratio}),
+                        ratio * ratio * force,
+                        1e-10 * force)
+              << name;
+            ContactState state;
+            law.pair(r).evaluate(3e-5 * ratio, state);
+            EXPECT_NEAR(law.pair(r).evaluate(back * 3e-5 * ratio, state).force,
+                        ratio * ratio * force,
+                        1e-10 * force)
+              << name;
+          }
+      }
+  }
+
+  TEST(contact_law, universal_law_passes_through_its_table)
+  {
+    const ContactTable &table = small_table();
+    for (std::size_t i = 0; i < table.nu.size(); ++i)
+      for (std::size_t k = 0; k < table.phi.size(); ++k)
+        {
+          const ContactMaterial rock  = rock_of(table.nu[i], table.phi[k]);
+          const ContactLaw      law   = ContactLaw::universal(rock, table);
+          const double          onset = yield_scales(rock).onset_level;
+          for (std::size_t l = 0; l < table.load_level.size(); ++l)
+            {
+              const std::size_t at    = table.index(i, k, l);
+              const double      level = table.load_level[l];
+              const double      delta = table.approach[at] * law.approach_yield(half_radius);
+              const double      force =
+                force_after(law, half_radius, {delta}) / law.force_yield(half_radius);
+              // The bins' cubics keep 1e-7. Next to the onset the table is elastic to 1e-4.
+              EXPECT_NEAR(force / level, 1, level < 2 * onset ? 2e-4 : 1e-6) << "Lambda " << level;
+              if (level < 2 * onset)
+                continue;
+              const ContactCoefficients c = law.coefficients(delta, half_radius);
+              EXPECT_NEAR(c.n / table.n[at], 1, 1e-3) << "Lambda " << level;
+              EXPECT_NEAR(c.m / table.m[at], 1, 3e-3) << "Lambda " << level;
+              // Eq (18)'s residual against the finite elements', over the peak.
+              EXPECT_NEAR(c.residual / delta, table.residual[at] / table.approach[at], 4e-3)
+                << "Lambda " << level;
+            }
+        }
+  }
+
+  TEST(contact_law, interpolates_between_materials)
+  {
+    // `dpcontact solve --E 10GPa --nu .15 --phi 25 --sigma-c 15MPa | 5MPa`, and .25, 35, 5MPa, at 100 N:
+    // materials that the table has not. What three nodes an axis leave is below .3 %.
+    struct Case
+    {
+      ContactMaterial rock;
+      double          approach_peak, m, n, residual_eq_18;
+    };
+    for (const Case &c :
+         {Case{{10e9, .15, 25, 15e6}, 1.659865e-05, 1.182871, 1.464264, 1.521894e-6},
+          Case{{10e9, .15, 25, 5e6}, 1.808459e-05, 2.407582, 1.368576, 5.760794e-6},
+          Case{{10e9, .25, 35, 5e6}, 1.629010e-05, 1.357712, 1.454025, 2.051654e-6}})
+      {
+        const ContactLaw law = ContactLaw::universal(c.rock, small_table());
+        EXPECT_NEAR(force_after(law, half_radius, {c.approach_peak}) / 100, 1, 3e-3);
+        const ContactCoefficients at = law.coefficients(c.approach_peak, half_radius);
+        // m and n are correlated: with three nodes m is 1 % off, the force of both together .3 %.
+        EXPECT_NEAR(at.m / c.m, 1, 1.5e-2);
+        EXPECT_NEAR(at.n / c.n, 1, 3e-3);
+        const double delta_y = law.approach_yield(half_radius), F_y = law.force_yield(half_radius);
+        for (const double share : {.25, .5, .75})
+          {
+            const double x = c.residual_eq_18 + share * (c.approach_peak - c.residual_eq_18);
+            EXPECT_NEAR(force_after(law, half_radius, {c.approach_peak, x}) / 100,
+                        F_y * c.m * std::pow((x - c.residual_eq_18) / delta_y, c.n) / 100,
+                        3e-3);
+          }
+        EXPECT_NEAR((at.residual - c.residual_eq_18) / c.approach_peak, 0, 2e-3);
+      }
+  }
+
+  TEST(contact_law, says_where_small_strain_is_left)
+  {
+    for (const auto &[name, law] : tests::laws())
+      {
+        // a/R from the stiffness, Hertz's below yield: a² = R*δ and R = 2R*.
+        const double small = .1 * law.approach_yield(half_radius);
+        if (name.find("nu") == 0)
+          {
+            EXPECT_NEAR(law.strain_measure(small, half_radius),
+                        std::sqrt(half_radius * small) / sphere_radius,
+                        1e-12);
+          }
+        double low = 1e-9, high = 1;
+        for (int k = 0; k < 100; ++k)
+          (law.strain_measure((low + high) / 2, half_radius) > .1 ? high : low) = (low + high) / 2;
+        ContactState state;
+        EXPECT_FALSE(law.evaluate(low * .999, half_radius, state).flags & contact_strain_large)
+          << name;
+        EXPECT_TRUE(law.evaluate(high * 1.001, half_radius, state).flags & contact_strain_large)
+          << name;
+        EXPECT_TRUE(law.evaluate(low * .5, half_radius, state).flags & contact_strain_large)
+          << name << ": the peak stays";
+      }
+  }
+
+  TEST(contact_law, goes_on_beyond_the_table_and_says_so)
+  {
+    const ContactLaw      law   = ContactLaw::universal(rock_of(.2, 30), small_table());
+    const ContactTable &table = small_table();
+    const double          end   = table.approach[table.index(1, 1, table.load_level.size() - 1)] *
+                       law.approach_yield(half_radius);
+    ContactState state;
+    EXPECT_FALSE(law.evaluate(.9999 * end, half_radius, state).flags & contact_extrapolated);
+    double last = 0;
+    for (double overlap = 1.0001 * end; overlap < 100 * end; overlap *= 1.01)
+      {
+        const ContactResponse response = law.evaluate(overlap, half_radius, state);
+        EXPECT_TRUE(response.flags & contact_extrapolated);
+        EXPECT_GT(response.force, last);
+        last = response.force;
+        // Steeper than a straight line, softer than Hertz.
+        const double later = force_after(law, half_radius, {1.01 * overlap}) / response.force;
+        EXPECT_GT(later, 1.01);
+        EXPECT_LT(later, std::pow(1.01, 1.5));
+      }
+  }
+
+  void expect_refused(const std::function<void()> &act, const std::string &part)
+  {
+    try
+      {
+        act();
+        ADD_FAILURE() << "not refused: " << part;
+      }
+    catch (const std::runtime_error &error)
+      {
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      }
+  }
+
+  TEST(contact_law, refuses_what_is_out_of_range)
+  {
+    const auto universal = [](const ContactMaterial &rock) {
+      return [rock] { ContactLaw::universal(rock, small_table()); };
+    };
+    expect_refused(universal({0, .2, 30, 1e6}), "Young's modulus is 0");
+    expect_refused(universal({1e9, .2, 30, -1}), "compressive strength is -1");
+    expect_refused(universal({1e9, .5, 30, 1e6}), "Poisson's ratio is 0.5");
+    expect_refused(universal({1e9, .2, 90, 1e6}), "friction angle is 90");
+    expect_refused(
+      universal({1e9, .05, 30, 1e6}),
+      "Poisson's ratio is 0.05; it must be within the universal table, from 0.1 to 0.3");
+    expect_refused(universal({1e9, .2, 45, 1e6}),
+                   "friction angle is 45; it must be within the universal table, from 20 to 40");
+    const ContactRow good{1, 1.5, 1, 1.5, 1, 1e-6, .05};
+    for (double ContactRow::*const value : {&ContactRow::a,
+                                            &ContactRow::b,
+                                            &ContactRow::m,
+                                            &ContactRow::n,
+                                            &ContactRow::force_yield,
+                                            &ContactRow::approach_yield,
+                                            &ContactRow::effective_radius})
+      for (const double wrong : {0.,
+                                 -1.,
+                                 std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::infinity()})
+        {
+          ContactRow row = good;
+          row.*value     = wrong;
+          expect_refused([&] { ContactLaw::from_row(row); }, "finite and positive");
+        }
+    expect_refused([&] { ContactLaw::from_row(good).pair(0); }, "R*");
+  }
+
+  TEST(contact_law, reads_tables_and_says_what_is_wrong_with_them)
+  {
+    std::ostringstream text;
+    text << "# comment\nphi_deg,nu,extra,load_level,m,approach,n,residual_approach\r\n";
+    for (const double nu : {.1, .2})
+      for (const double level : {16., 1., 4., 2., 8.}) // in any order
+        text << "30," << nu << ",hello," << level << ",1.5," << std::pow(level, .7) << ",1.4,0.1\n";
+    const auto read = [](const std::string &csv) {
+      std::istringstream stream(csv);
+      return ContactTable::read(stream);
+    };
+    const std::string    good  = text.str();
+    const ContactTable table = read(good);
+    EXPECT_EQ(table.nu, (std::vector<double>{.1, .2}));
+    EXPECT_EQ(table.phi, std::vector<double>{30});
+    EXPECT_EQ(table.load_level, (std::vector<double>{1, 2, 4, 8, 16}));
+    EXPECT_NEAR(table.approach[table.index(1, 0, 3)], std::pow(8, .7), 1e-5); // six digits of text
+    EXPECT_NO_THROW(ContactLaw::universal({1e9, .15, 30, 1e6}, table));
+
+    const auto with = [&](const std::string &what, const std::string &instead) {
+      std::string copy = good;
+      return copy.replace(copy.find(what), what.size(), instead);
+    };
+    const auto refused = [&](const std::string &csv, const std::string &part) {
+      expect_refused([&] { read(csv); }, part);
+    };
+    refused("", "fewer than 5");
+    refused(with("load_level", "level"), "line 2: the header lacks the column 'load_level'");
+    refused(with(",1.5,", ",many,"), "line 3: 'many' is no value of m");
+    refused(with(",1.5,", ",nan,"), "line 3: 'nan' is no value of m");
+    refused(with(",1.5,", ",1.5x,"), "line 3: '1.5x' is no value of m");
+    refused(with(",1.5,", ",-1,"), "line 3: approach, m and n must be positive");
+    refused(with(",1.4,0.1", ",1.4,9.1"), "line 3: approach, m and n");
+    refused(with(",1.4,0.1", ",1.4"), "line 3: '' is no value of residual_approach");
+    refused(with("30,0.1", "95,0.1"), "line 3: nu, phi_deg or load_level is out of range");
+    refused(with("30,0.1,hello,16", "30,0.1,hello,1"),
+            "line 4: this nu, phi_deg and load_level stand there twice");
+    refused(with("30,0.1,hello,16", "30,0.1,hello,17"),
+            "there is no row for nu 0.1, phi_deg 30, load_level 16");
+    refused(good.substr(0, good.rfind("30,0.2")), "there is no row for nu 0.2");
+    refused(with(",1.5,2.639", ",1.5,1.539"), "the approach does not increase at nu 0.1");
+  }
+} // namespace
