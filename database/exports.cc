@@ -2,10 +2,8 @@
 
 #include "database/files.h"
 #include "database/schema.h"
+#include "database/text.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <ostream>
 #include <sstream>
 
@@ -13,14 +11,7 @@ namespace dpcontact
 {
   namespace
   {
-    std::string cell(const double value)
-    {
-      if (std::isnan(value))
-        return "nan"; // without the sign that some systems print
-      std::array<char, 32> digits{};
-      const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-      return {digits.data(), end};
-    }
+    std::string cell(const double value) { return number_text(value); }
 
     std::string cell(const std::uint64_t value) { return std::to_string(value); }
 
@@ -34,33 +25,21 @@ namespace dpcontact
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
       return quoted + "\"";
     }
-
-    /// Text of any number of lines as comment lines.
-    std::string comment(const std::string &text)
-    {
-      std::string lines = "# ";
-      for (const char c : text)
-        if (c == '\n')
-          lines += "\n# ";
-        else if (c != '\r')
-          lines += c;
-      return lines + "\n";
-    }
   } // namespace
 
   void write_csv(std::ostream &out, const Database &database)
   {
-    out << comment("dpcontact: coefficients of elastic-plastic contact");
-    out << comment("schema_version: " + std::to_string(schema::version));
+    out << comment_lines("dpcontact: coefficients of elastic-plastic contact");
+    out << comment_lines("schema_version: " + std::to_string(schema::version));
     for (const auto &[name, text] : database.provenance)
-      out << comment(name + ": " + text);
-    out << comment("columns (name, unit, description):");
+      out << comment_lines(name + ": " + text);
+    out << comment_lines("columns (name, unit, description):");
     std::string header;
     for (const auto &column : schema::columns())
       {
         const std::string unit = column.unit;
-        out << comment("  " + std::string(column.name) + ", " + (unit.empty() ? "text" : unit) +
-                       ", " + column.description);
+        out << comment_lines("  " + std::string(column.name) + ", " +
+                             (unit.empty() ? "text" : unit) + ", " + column.description);
         header += (header.empty() ? "" : ",") + std::string(column.name);
       }
     out << header << '\n';

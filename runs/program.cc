@@ -35,6 +35,7 @@ namespace dpcontact
       commands::add_converge(program, action);
       commands::add_sweep(program, action);
       commands::add_fit(program, action);
+      commands::add_table(program, action);
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
       commands::add_compare(program, action);
