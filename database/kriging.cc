@@ -21,7 +21,7 @@ namespace dpcontact
     class Kriging : public MaterialMethod
     {
     public:
-      explicit Kriging(const MaterialTable &table)
+      Kriging(const MaterialTable &table, const KrigingCovariance *known)
       {
         OT::Log::Show(OT::Log::NONE);
         low.fill(std::numeric_limits<double>::infinity());
@@ -47,11 +47,18 @@ namespace dpcontact
           {
             OT::Sample output(n, 1);
             for (std::size_t k = 0; k < n; ++k)
-              output(k, 0) = table.rows[k].published[c];
-            OT::KrigingAlgorithm algorithm(input,
-                                           output,
-                                           OT::MaternModel(OT::Point(4, 1.), OT::Point(1, 1.), 2.5),
-                                           OT::ConstantBasisFactory(4).build());
+              output(k, 0) = std::log(table.rows[k].published[c]);
+            OT::MaternModel model(OT::Point(4, 1.), OT::Point(1, 1.), 2.5);
+            if (known != nullptr)
+              {
+                const auto &values = (*known)[c];
+                model = OT::MaternModel(OT::Point({values[0], values[1], values[2], values[3]}),
+                                        OT::Point(1, values[4]),
+                                        2.5);
+              }
+            OT::KrigingAlgorithm algorithm(
+              input, output, model, OT::ConstantBasisFactory(4).build());
+            algorithm.setOptimizeParameters(known == nullptr);
             algorithm.setOptimizationBounds(OT::Interval(OT::Point(4, 0.05), OT::Point(4, 20.)));
             algorithm.run();
             results.push_back(algorithm.getResult());
@@ -64,11 +71,25 @@ namespace dpcontact
         MaterialEstimate estimate{};
         for (std::size_t c = 0; c < 4; ++c)
           {
-            estimate.value[c] = results[c].getConditionalMean(x)[0];
+            estimate.value[c] = std::exp(results[c].getConditionalMean(x)[0]);
             estimate.uncertainty[c] =
+              estimate.value[c] *
               std::sqrt(std::max(0., results[c].getConditionalMarginalVariance(x)));
           }
         return estimate;
+      }
+
+      KrigingCovariance covariance() const
+      {
+        KrigingCovariance values{};
+        for (std::size_t c = 0; c < 4; ++c)
+          {
+            const auto model = results[c].getCovarianceModel();
+            for (std::size_t i = 0; i < 4; ++i)
+              values[c][i] = model.getScale()[i];
+            values[c][4] = model.getAmplitude()[0];
+          }
+        return values;
       }
 
     private:
@@ -88,6 +109,17 @@ namespace dpcontact
 
   std::unique_ptr<MaterialMethod> make_kriging(const MaterialTable &table)
   {
-    return std::make_unique<Kriging>(table);
+    return std::make_unique<Kriging>(table, nullptr);
+  }
+
+  KrigingCovariance fit_covariance(const MaterialTable &table)
+  {
+    return Kriging(table, nullptr).covariance();
+  }
+
+  std::unique_ptr<MaterialMethod> make_kriging(const MaterialTable     &table,
+                                               const KrigingCovariance &covariance)
+  {
+    return std::make_unique<Kriging>(table, &covariance);
   }
 } // namespace dpcontact

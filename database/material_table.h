@@ -54,10 +54,18 @@ namespace dpcontact
     virtual MaterialEstimate at(const MaterialPoint &point) const = 0;
   };
 
-  /// Kriging of each coefficient over (ln E, ν, φ, ln σ_c) scaled to the unit box, with a constant
-  /// trend and a Matérn 5/2 covariance fitted by maximum likelihood (OpenTURNS). The uncertainty is
-  /// the conditional standard deviation.
+  /// Kriging of the logarithm of each coefficient over (ln E, ν, φ, ln σ_c) scaled to the unit box,
+  /// with a constant trend and a Matérn 5/2 covariance fitted by maximum likelihood (OpenTURNS).
+  /// The uncertainty is the conditional standard deviation.
   std::unique_ptr<MaterialMethod> make_kriging(const MaterialTable &table);
+
+  /// Covariance of each coefficient: four lengths in the unit box, and the amplitude.
+  using KrigingCovariance = std::array<std::array<double, 5>, 4>;
+  KrigingCovariance fit_covariance(const MaterialTable &table);
+
+  /// The same with a covariance that is known: for leave-one-out.
+  std::unique_ptr<MaterialMethod> make_kriging(const MaterialTable     &table,
+                                               const KrigingCovariance &covariance);
 
   /// Sibson's natural neighbours (CGAL) in (ν, φ, σ_c) scaled to the unit box, linear between the
   /// slices of E; exact at the rows. Beyond the box the nearest point of it answers. The

@@ -79,8 +79,12 @@ namespace dpcontact
         OT::Sample output(n, 1);
         for (std::size_t i = 0; i < n; ++i)
           output(i, 0) = table.rows[i].published[c];
-        OT::LinearModelStepwiseAlgorithm algorithm(
-          input, basis, output, OT::Indices(1, 0), OT::LinearModelStepwiseAlgorithm::BOTH);
+        OT::LinearModelStepwiseAlgorithm algorithm(input,
+                                                   basis,
+                                                   output,
+                                                   OT::Indices(1, 0),
+                                                   OT::LinearModelStepwiseAlgorithm::BOTH,
+                                                   OT::Indices(1, 0));
         algorithm.run();
         const OT::LinearModelResult result = algorithm.getResult();
         const OT::Point             values = result.getCoefficients();

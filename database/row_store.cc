@@ -88,10 +88,7 @@ namespace dpcontact
                                "\nUse these settings again, or another database.");
     }
 
-    json inputs_of(const RowInputs &inputs)
-    {
-      return inputs.key();
-    }
+    json inputs_of(const RowInputs &inputs) { return inputs.key(); }
 
     /// Sets a damaged file aside under a name that is free.
     fs::path set_aside(const fs::path &file)

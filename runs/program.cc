@@ -35,6 +35,8 @@ namespace dpcontact
       commands::add_converge(program, action);
       commands::add_sweep(program, action);
       commands::add_fit(program, action);
+      commands::add_lookup(program, action);
+      commands::add_evaluate(program, action);
       commands::add_table(program, action);
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
