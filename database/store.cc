@@ -179,6 +179,11 @@ namespace dpcontact
   Database read_store(const fs::path &file)
   {
     check_digest(file);
+    return read_store_unchecked(file);
+  }
+
+  Database read_store_unchecked(const fs::path &file)
+  {
     try
       {
         const hdf5::Silence silence;

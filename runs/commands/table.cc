@@ -1,3 +1,4 @@
+#include "database/packages.h"
 #include "database/store.h"
 #include "database/universal_table.h"
 #include "runs/commands/commands.h"
@@ -14,7 +15,7 @@ namespace dpcontact::commands
     struct Options
     {
       std::string database;
-      std::string csv;
+      std::string csv, datapackage, datacite;
       bool        json = false;
     };
 
@@ -22,6 +23,12 @@ namespace dpcontact::commands
     {
       const UniversalTable table = UniversalTable::from_rows(read_store(options.database));
       table.write(options.csv);
+      if (!options.datapackage.empty())
+        write_datapackage(options.datapackage, options.csv, table);
+      if (!options.datacite.empty())
+        write_datacite(options.datacite,
+                       "dpcontact: universal table of elastic-plastic contact",
+                       table.made_from());
       if (options.json)
         print_document({{"database", options.database},
                         {"csv", options.csv},
@@ -45,6 +52,9 @@ namespace dpcontact::commands
     command->add_option("--csv", options->csv, "file to write, and its digest beside it")
       ->required()
       ->type_name("FILE");
+    command->add_option("--datapackage", options->datapackage, "Frictionless data package of it")
+      ->type_name("FILE");
+    command->add_option("--datacite", options->datacite, "DataCite metadata")->type_name("FILE");
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
   }
