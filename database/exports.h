@@ -14,9 +14,17 @@ namespace dpcontact
   /// quotes or line ends is quoted as in RFC 4180. Units are in the names of the columns.
   void write_csv(std::ostream &out, const Database &database);
 
-  /// The same into a file, through a temporary one that is synced and renamed.
-  /// @throws FileError where it cannot be written; an earlier file then stays as it was.
+  /// The same into a file, and its digest `<file>.sha256`, through temporary ones that are synced
+  /// and
+  /// renamed. @throws FileError where it cannot be written; an earlier file then stays as it was.
   void write_csv(const std::filesystem::path &file, const Database &database);
+  /// The table that write_csv() wrote, without its curves.
+  /// @throws FileError if it cannot be read, CorruptData if its digest does not hold or it is not such a
+  /// table, SettingsMismatch if it has another schema version.
+  Database read_csv(const std::filesystem::path &file);
+
+  /// read_csv() for names that end in .csv, read_store() for others.
+  Database read_database(const std::filesystem::path &file);
 } // namespace dpcontact
 
 #endif

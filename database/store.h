@@ -2,6 +2,7 @@
 #define DPCONTACT_DATABASE_STORE_H
 
 #include "database/record.h"
+#include "database/text.h"
 
 #include <filesystem>
 #include <map>
@@ -38,9 +39,9 @@ namespace dpcontact
   /// @throws FileError if it is missing or unreadable, CorruptData if it is truncated, altered, not
   /// ours or has no digest, SettingsMismatch if it has another schema version.
   Database read_store(const std::filesystem::path &file);
-
-  /// `<file>.sha256`
-  std::filesystem::path digest_path_of(const std::filesystem::path &file);
+  /// The same without the digest. HDF5 can crash on a damaged file: only for a process of its own
+  /// (examine_damaged()).
+  Database read_store_unchecked(const std::filesystem::path &file);
 } // namespace dpcontact
 
 #endif

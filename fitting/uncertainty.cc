@@ -78,6 +78,14 @@ namespace dpcontact
       part(down.fit.standard_error.exponent, down.fit.law.exponent, down.exponent_change)};
   }
 
+  std::array<double, 4> finite_radius_errors(const double excess, const double kappa)
+  {
+    std::array<double, 4> errors{};
+    for (unsigned int c = 0; c < 4; ++c)
+      errors[c] = finite_radius_error[c].at(excess) * kappa;
+    return errors;
+  }
+
   CoefficientErrors estimate_errors(const CurveFit &fit,
                                     const Solution &solution,
                                     const Material &material,
@@ -110,7 +118,7 @@ namespace dpcontact
         ErrorParts  &parts = errors[c];
         parts.fit          = fits[c];
         parts.finite_radius =
-          used.surface == Surface::sphere ? 0. : value * finite_radius_error[c].at(excess) * kappa;
+          used.surface == Surface::sphere ? 0. : value * finite_radius_errors(excess, kappa)[c];
         if (closed)
           {
             parts.mesh = parts.step = parts.contact = parts.far_field = 0;

@@ -37,6 +37,10 @@ namespace dpcontact
   /// approach|.
   std::array<double, 4> fit_errors(const CurveFit &fit);
 
+  /// The relative error of a, b, m, n that the half-space makes for a sphere: of first order in
+  /// kappa = a/R; excess: δ_max/δ_Hertz − 1.
+  std::array<double, 4> finite_radius_errors(double excess, double kappa);
+
   /// The cheap estimate: no further computation. Step: how far the fit moves between the curve and
   /// `solution.coarser_steps`. Mesh, contact, far field, finite radius: closed expressions in the
   /// settings, a/R and the excess of the peak's approach over Hertz's, calibrated on the study of

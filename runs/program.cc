@@ -40,6 +40,10 @@ namespace dpcontact
       commands::add_sweep(program, action);
       commands::add_merge(program, action);
       commands::add_fit(program, action);
+      commands::add_lookup(program, action);
+      commands::add_evaluate(program, action);
+      commands::add_check(program, action);
+      commands::add_table(program, action);
       commands::add_export(program, action);
       commands::add_hard_cases(program, action);
       commands::add_compare(program, action);

@@ -140,7 +140,10 @@ namespace dpcontact
                "radius of each sphere [" + format_quantity(scene.radius, Dimension::length) + "]"),
       quantity("force-max",
                Dimension::force,
-               "peak normal force [" + format_quantity(scene.force_max, Dimension::force) + "]")};
+               "peak normal force [" + format_quantity(scene.force_max, Dimension::force) + "]"),
+      quantity("load-level",
+               Dimension::number,
+               "instead of force-max: Lambda, the peak force over F_y of the material and radius")};
   }
 
   std::vector<Setting> solver_settings()
@@ -286,10 +289,13 @@ namespace dpcontact
 
   std::vector<Case> read_grid(const SettingTexts &texts)
   {
-    constexpr double unset           = std::numeric_limits<double>::quiet_NaN();
-    const Criterion  criterion       = read_criterion(texts);
-    const bool       by_yield_stress = find(texts, "yield-stress").has_value();
-    const bool       by_cohesion     = find(texts, "cohesion").has_value();
+    constexpr double unset         = std::numeric_limits<double>::quiet_NaN();
+    const Criterion  criterion     = read_criterion(texts);
+    const bool       by_load_level = find(texts, "load-level").has_value();
+    if (by_load_level && find(texts, "force-max"))
+      throw InputError("load-level and force-max say the same: give one of them");
+    const bool  by_yield_stress = find(texts, "yield-stress").has_value();
+    const bool  by_cohesion     = find(texts, "cohesion").has_value();
     const char *strength = by_yield_stress ? "yield-stress" : by_cohesion ? "cohesion" : "sigma-c";
     const Material defaults;
 
@@ -304,7 +310,8 @@ namespace dpcontact
             read_list(texts, "hardening", Dimension::pressure, defaults.hardening),
             read_list(texts, "tension-cutoff", Dimension::pressure, unset),
             read_list(texts, "radius", Dimension::length, Scene{}.radius),
-            read_list(texts, "force-max", Dimension::force, Scene{}.force_max)}))
+            by_load_level ? read_list(texts, "load-level", Dimension::number)
+                          : read_list(texts, "force-max", Dimension::force, Scene{}.force_max)}))
       {
         Case next{};
         next.friction_angle_degrees        = value[2];
@@ -331,8 +338,10 @@ namespace dpcontact
               next.dilation_angle_degrees = 0;
           }
         next.scene.radius    = value[8];
-        next.scene.force_max = value[9];
+        next.scene.force_max = value[9]; // Λ is one that F_y, known below, turns into a force
         next.material.check();
+        if (by_load_level)
+          next.scene.force_max = value[9] * first_yield(next.material, value[8]).force;
         next.scene.check();
         cases.push_back(next);
       }

@@ -33,7 +33,7 @@ namespace dpcontact
   };
 
   /// Material and scene: criterion, E, nu, phi, sigma-c or what the criterion has instead, and what
-  /// else it has; radius, force-max. All but the criterion are lists in a sweep.
+  /// else it has; radius, force-max or load-level. All but the criterion are lists in a sweep.
   std::vector<Setting> scene_settings();
 
   /// The options of the solver; each is one value for a whole sweep.

@@ -83,6 +83,21 @@ namespace dpcontact
       SolverOptions               used;
     };
 
+    /// Enters the extrapolated curve and the error of its load step.
+    void extrapolate(const Curve &coarse, const Curve &fine, Solution &solution)
+    {
+      try
+        {
+          solution.curve      = extrapolate_steps(coarse, fine);
+          solution.step_error = share_of_difference * step_difference(coarse, fine);
+        }
+      catch (const StepsTooLarge &)
+        {
+          solution.curve      = extrapolate_steps_smoothly(coarse, fine);
+          solution.step_error = share_of_difference * smooth_step_difference(coarse, fine);
+        }
+    }
+
     PathPair run_paths(const FamilyMember        &top,
                        const std::vector<double> &stops,
                        const Pilot               &pilot,
@@ -163,10 +178,9 @@ namespace dpcontact
     enter(const PathPair &paths, const std::size_t stop, const Scales &scales, Solution &solution)
     {
       const Curve coarse = curve_of(paths.coarse, stop), fine = curve_of(paths.fine, stop);
-      solution.curve         = extrapolate_steps(coarse, fine);
+      extrapolate(coarse, fine, solution);
       solution.coarser_steps = fine;
       solution.coarser_share = share_of_difference;
-      solution.step_error    = share_of_difference * step_difference(coarse, fine);
       solution.peak_profile  = paths.fine.stops[stop].profile;
       solution.apex_points   = paths.apex_points;
       scales.apply(solution.curve);

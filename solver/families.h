@@ -27,7 +27,8 @@ namespace dpcontact
   /// the cheaper way: the paths' common history costs little.
   ///
   /// Steps are equal in ln F, the finer the more the approach exceeds Hertz's; each path is
-  /// computed with these steps and with halved ones, and extrapolated. Scenes below first yield are
+  /// computed with these steps and with halved ones, and extrapolated (smoothly where the contact's
+  /// edge makes their difference jump, see step_extrapolation.h). Scenes below first yield are
   /// Hertz's. Resolution, contact and switches of `options` count as in solve_contact(); the steps
   /// do not follow its step_tolerance, `step_error` says what they left. `cost` of a member is its
   /// share of the family's.

@@ -34,6 +34,16 @@ namespace dpcontact
   /// @throws SolverError where the branches do not share their levels, StepsTooLarge.
   Curve extrapolate_steps(const Curve &coarse, const Curve &fine, double order = step_order);
 
+  /// The same where the contact's edge, moving from node to node under a pressure that does not
+  /// grow any more, makes the difference of the two paths jump: of loading its smooth part corrects
+  /// the fine path, a polynomial in ln F; of unloading its change since the peak besides.
+  /// @throws SolverError, StepsTooLarge as extrapolate_steps().
+  Curve
+  extrapolate_steps_smoothly(const Curve &coarse, const Curve &fine, double order = step_order);
+
+  /// Largest difference of the two paths' force over the peak force, of loading its smooth part.
+  double smooth_step_difference(const Curve &coarse, const Curve &fine);
+
   /// Largest |F_fine(δ) − F_coarse(δ)| / F_max over the common levels of both branches: the force
   /// is compared at equal approach through the fine branch's own slope.
   double step_difference(const Curve &coarse, const Curve &fine);

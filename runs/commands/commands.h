@@ -23,6 +23,10 @@ namespace dpcontact::commands
   void add_sweep(CLI::App &program, Action &action);
   void add_merge(CLI::App &program, Action &action);
   void add_fit(CLI::App &program, Action &action);
+  void add_lookup(CLI::App &program, Action &action);
+  void add_evaluate(CLI::App &program, Action &action);
+  void add_check(CLI::App &program, Action &action);
+  void add_table(CLI::App &program, Action &action);
   void add_export(CLI::App &program, Action &action);
   void add_hard_cases(CLI::App &program, Action &action);
   void add_validate(CLI::App &program, Action &action);

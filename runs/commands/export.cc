@@ -1,4 +1,6 @@
 #include "database/exports.h"
+#include "database/packages.h"
+#include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/documents.h"
@@ -13,20 +15,55 @@ namespace dpcontact::commands
     struct Options
     {
       std::string database;
-      std::string csv;
+      std::string csv, datapackage, xlsx, json_table, datacite;
       bool        json = false;
     };
 
     ExitCode run(const Options &options)
     {
-      const Database database = read_store(options.database);
-      write_csv(std::filesystem::path(options.csv), database);
+      if (options.csv.empty() && options.xlsx.empty() && options.json_table.empty() &&
+          options.datacite.empty())
+        throw InputError(
+          "export: nothing to write; give --csv, --xlsx, --json-table or --datacite");
+      if (!options.datapackage.empty() && options.csv.empty())
+        throw InputError("export: --datapackage describes the file of --csv: give that too");
+      const Database database = read_database(options.database);
+      Json           written  = {{"database", options.database}};
+      const auto     note     = [&](const char *what, const std::string &file) {
+        written[what] = file;
+        if (!options.json)
+          std::cout << file << ": " << database.records.size() << " rows\n";
+      };
+      if (!options.csv.empty())
+        {
+          write_csv(std::filesystem::path(options.csv), database);
+          note("csv", options.csv);
+        }
+      if (!options.datapackage.empty())
+        {
+          write_datapackage(options.datapackage, options.csv, database);
+          note("datapackage", options.datapackage);
+        }
+      if (!options.xlsx.empty())
+        {
+          write_xlsx(options.xlsx, database);
+          note("xlsx", options.xlsx);
+        }
+      if (!options.json_table.empty())
+        {
+          write_json(options.json_table, database);
+          note("json_table", options.json_table);
+        }
+      if (!options.datacite.empty())
+        {
+          write_datacite(options.datacite,
+                         "dpcontact: coefficients of elastic-plastic contact",
+                         database.provenance);
+          note("datacite", options.datacite);
+        }
+      written["rows"] = database.records.size();
       if (options.json)
-        print_document({{"database", options.database},
-                        {"csv", options.csv},
-                        {"rows", database.records.size()}});
-      else
-        std::cout << options.csv << ": " << database.records.size() << " rows\n";
+        print_document(written);
       return ExitCode::success;
     }
   } // namespace
@@ -34,9 +71,18 @@ namespace dpcontact::commands
   void add_export(CLI::App &program, Action &action)
   {
     const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand("export", "The table of a database as CSV");
-    command->add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
-    command->add_option("--csv", options->csv, "file to write")->required()->type_name("FILE");
+    CLI::App *const command =
+      program.add_subcommand("export", "The table of a database in other formats");
+    command->add_option("DATABASE", options->database, "HDF5 file of a sweep, or CSV of an export")
+      ->required();
+    const auto file = [&](const char *name, std::string &target, const char *help) {
+      command->add_option(name, target, help)->type_name("FILE");
+    };
+    file("--csv", options->csv, "CSV, and its digest beside it");
+    file("--datapackage", options->datapackage, "Frictionless data package of that CSV file");
+    file("--xlsx", options->xlsx, "spreadsheet");
+    file("--json-table", options->json_table, "JSON");
+    file("--datacite", options->datacite, "DataCite metadata");
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
   }

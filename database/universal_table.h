@@ -1,0 +1,87 @@
+#ifndef DPCONTACT_DATABASE_UNIVERSAL_TABLE_H
+#define DPCONTACT_DATABASE_UNIVERSAL_TABLE_H
+
+#include "database/store.h"
+
+#include <array>
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace dpcontact
+{
+  /// What is known at one (ν, φ, Λ). Forces in F_y, approaches in the mutual δ_y: the consistent
+  /// pair.
+  struct UniversalNode
+  {
+    static constexpr double unset = RowInputs::unset;
+
+    double nu = unset, phi_deg = unset, load_level = unset;
+    double approach          = unset; ///< δ/δ_y where F = Λ F_y on the virgin loading curve
+    double residual_approach = unset; ///< δ_res/δ_y after release from Λ
+    double a = unset, b = unset, m = unset, n = unset; ///< eqs (16), (17) of the path to Λ
+
+    double approach_error          = unset; ///< numerical error of ln(approach)
+    double residual_approach_error = unset; ///< numerical error, in δ_y
+    /// Numerical error of each coefficient: mesh, load step, contact, far field.
+    double a_error = unset, b_error = unset, m_error = unset, n_error = unset;
+    /// How well the power laws describe the path: standard error and change with the window.
+    double a_misfit = unset, b_misfit = unset, m_misfit = unset, n_misfit = unset;
+    double rmse_loading = unset, rmse_unloading = unset; ///< of the laws, over the peak force
+
+    double pressure_yield  = unset; ///< Hertz peak pressure at F_y, over σ_c
+    double ring_load_level = unset; ///< load level at which the ring r = a yields
+  };
+
+  /// A column of the universal table; numbers without dimension but phi_deg.
+  struct UniversalColumn
+  {
+    const char *name;
+    const char *unit;
+    const char *description;
+    double UniversalNode::*member;
+  };
+  const std::vector<UniversalColumn> &universal_columns();
+
+  /// Nodes on a grid: every ν with every φ and every Λ.
+  class UniversalTable
+  {
+  public:
+    /// From the rows of a sweep over (ν, φ, Λ). Of loading, the states of all paths of one (ν, φ)
+    /// make one smooth curve: the contact's edge moves from node to node and lets single ones
+    /// scatter.
+    /// @throws InputError where the rows are no complete grid, a row failed, or a material is not
+    /// associated, perfectly plastic Drucker–Prager.
+    static UniversalTable from_rows(const Database &database);
+
+    /// @throws FileError, CorruptData where digest, header, a number or the grid is wrong.
+    static UniversalTable read(const std::filesystem::path &file);
+
+    /// CSV: comment lines with provenance and the columns' meaning, header, one line a node, ν
+    /// slowest; and its digest `<file>.sha256`. @throws FileError.
+    void write(const std::filesystem::path &file) const;
+    void write(std::ostream &out) const;
+
+    const std::vector<double> &nu() const { return axes[0]; }
+    const std::vector<double> &phi_deg() const { return axes[1]; }
+    const std::vector<double> &load_level() const { return axes[2]; }
+
+    const std::vector<UniversalNode> &all() const { return nodes; }
+    const UniversalNode &node(std::size_t i_nu, std::size_t i_phi, std::size_t i_level) const
+    {
+      return nodes[(i_nu * axes[1].size() + i_phi) * axes[2].size() + i_level];
+    }
+
+    const Provenance &made_from() const { return provenance; }
+
+  private:
+    UniversalTable(std::vector<UniversalNode> nodes, Provenance provenance);
+
+    std::array<std::vector<double>, 3> axes;
+    std::vector<UniversalNode>         nodes;
+    Provenance                         provenance;
+  };
+} // namespace dpcontact
+
+#endif

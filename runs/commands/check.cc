@@ -1,0 +1,86 @@
+#include "database/checks.h"
+#include "database/exports.h"
+#include "database/files.h"
+#include "meshing/errors.h"
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/documents.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      std::string database;
+      bool        json = false;
+    };
+
+    bool is_universal(const std::filesystem::path &file)
+    {
+      return file.extension() == ".csv" &&
+             read_file(file).rfind("# dpcontact: universal table", 0) == 0;
+    }
+
+    std::vector<Finding> findings_of(const std::filesystem::path &file)
+    {
+      if (is_universal(file))
+        return check(UniversalTable::read(file));
+      try
+        {
+          check_digest(file);
+        }
+      catch (const CorruptData &error)
+        {
+          if (file.extension() == ".csv")
+            throw;
+          throw CorruptData(
+            std::string(error.what()) +
+            ". Read all the same, in a process of its own: " + examine_damaged(file));
+        }
+      return check(read_database(file));
+    }
+
+    ExitCode run(const Options &options)
+    {
+      const std::vector<Finding> findings = findings_of(options.database);
+      std::array<std::size_t, 3> counts{};
+      Json                       list = Json::array();
+      for (const Finding &finding : findings)
+        {
+          ++counts[static_cast<std::size_t>(finding.grade)];
+          list.push_back({{"grade", to_string(finding.grade)},
+                          {"where", finding.where},
+                          {"what", finding.what}});
+          if (!options.json)
+            std::cout << to_string(finding.grade) << ": " << finding.where << ": " << finding.what
+                      << '\n';
+        }
+      if (options.json)
+        print_document({{"database", options.database},
+                        {"errors", counts[0]},
+                        {"warnings", counts[1]},
+                        {"notes", counts[2]},
+                        {"findings", list}});
+      else
+        std::cout << options.database << ": " << counts[0] << " errors, " << counts[1]
+                  << " warnings, " << counts[2] << " notes\n";
+      return counts[0] > 0 ? ExitCode::incomplete : ExitCode::success;
+    }
+  } // namespace
+
+  void add_check(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "check", "Checks the data of a database; exit code 8 where a row is wrong");
+    command
+      ->add_option("DATABASE", options->database, "HDF5 file, CSV of an export, or universal table")
+      ->required();
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

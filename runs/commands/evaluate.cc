@@ -1,0 +1,60 @@
+#include "database/files.h"
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/evaluation.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      std::string rows          = default_database(LookupMethod::kriging).string();
+      std::string universal     = default_database(LookupMethod::similarity).string();
+      std::string held_out      = DPCONTACT_DATABASE_DIRECTORY "/../runs/held_out.json";
+      bool        held_out_only = false;
+      bool        json          = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      Json document;
+      if (options.held_out_only)
+        {
+          const Json held_out = Json::parse(read_file(options.held_out), nullptr, false);
+          if (held_out.is_discarded())
+            throw CorruptData(options.held_out + " is not JSON");
+          document = compare_held_out(UniversalTable::read(options.universal), held_out);
+        }
+      else
+        document =
+          evaluate({options.rows, options.universal, options.held_out},
+                   [](const std::string &what) { std::cerr << "evaluate: " << what << std::endl; });
+      if (options.json || options.held_out_only)
+        print_document(document);
+      else
+        std::cout << describe_evaluation(document);
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_evaluate(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "evaluate", "The paper's evaluation: regression, table 4, and how wrong every method is");
+    command->add_option("--rows", options->rows, "the paper's 162 rows")->type_name("FILE");
+    command->add_option("--universal", options->universal, "the universal table")
+      ->type_name("FILE");
+    command->add_option("--held-out", options->held_out, "curves that runs/held_out computed")
+      ->type_name("FILE");
+    command->add_flag("--held-out-only",
+                      options->held_out_only,
+                      "only the universal table on the held-out materials, as JSON with every row");
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

@@ -1,0 +1,75 @@
+#include "runs/lookup.h"
+
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      SettingTexts texts;
+      std::string  parameter_file;
+      std::string  method = "similarity";
+      std::string  database;
+      std::string  curve;
+      bool         extrapolate = false;
+      bool         json        = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
+      const LookupMethod method = parse_lookup_method(options.method);
+      const unsigned int points = options.curve.empty() ? 0 : parse_count("curve", options.curve);
+      if (points > 100000)
+        throw InputError("curve is " + options.curve + "; it must be at most 100000 points");
+      const LookupTable  table(method,
+                              options.database.empty() ? default_database(method)
+                                                        : std::filesystem::path(options.database));
+      const LookupResult result =
+        table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse);
+      if (options.json)
+        print_document(lookup_json(input, result, points));
+      else
+        {
+          std::cout << describe(input, result);
+          if (points > 0)
+            {
+              const Json curve = lookup_json(input, result, points)["curve"];
+              std::cout << "branch,approach_m,force_N\n";
+              for (const char *const branch : {"loading", "unloading"})
+                for (const Json &point : curve[branch])
+                  std::cout << branch << ',' << point["approach"] << ',' << point["force"] << '\n';
+            }
+        }
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_lookup(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command =
+      program.add_subcommand("lookup", "The force law of a material and scene, from a table");
+    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    command
+      ->add_option("--method",
+                   options->method,
+                   "similarity (any R, E, sigma-c, F_max); over the paper's 162 rows kriging, "
+                   "natural-neighbour, regression or table-2 (eq 19 as printed) [similarity]")
+      ->type_name("");
+    command->add_option("--database", options->database, "table, as table or export wrote it")
+      ->type_name("FILE");
+    command->add_option("--curve", options->curve, "print N points of either branch as well")
+      ->type_name("N");
+    command->add_flag("--extrapolate", options->extrapolate, "answer outside the data as well");
+    add_parameter_file(*command, options->parameter_file);
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

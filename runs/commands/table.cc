@@ -1,0 +1,61 @@
+#include "database/packages.h"
+#include "database/store.h"
+#include "database/universal_table.h"
+#include "runs/commands/commands.h"
+#include "runs/commands/options.h"
+#include "runs/documents.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dpcontact::commands
+{
+  namespace
+  {
+    struct Options
+    {
+      std::string database;
+      std::string csv, datapackage, datacite;
+      bool        json = false;
+    };
+
+    ExitCode run(const Options &options)
+    {
+      const UniversalTable table = UniversalTable::from_rows(read_store(options.database));
+      table.write(options.csv);
+      if (!options.datapackage.empty())
+        write_datapackage(options.datapackage, options.csv, table);
+      if (!options.datacite.empty())
+        write_datacite(options.datacite,
+                       "dpcontact: universal table of elastic-plastic contact",
+                       table.made_from());
+      if (options.json)
+        print_document({{"database", options.database},
+                        {"csv", options.csv},
+                        {"nu", table.nu()},
+                        {"phi_deg", table.phi_deg()},
+                        {"load_level", table.load_level()}});
+      else
+        std::cout << options.csv << ": " << table.nu().size() << " nu x " << table.phi_deg().size()
+                  << " phi x " << table.load_level().size() << " load levels\n";
+      return ExitCode::success;
+    }
+  } // namespace
+
+  void add_table(CLI::App &program, Action &action)
+  {
+    const auto      options = std::make_shared<Options>();
+    CLI::App *const command = program.add_subcommand(
+      "table", "The universal table from a sweep over nu, phi and load levels");
+    command->add_option("DATABASE", options->database, "HDF5 file of runs/universal.prm")
+      ->required();
+    command->add_option("--csv", options->csv, "file to write, and its digest beside it")
+      ->required()
+      ->type_name("FILE");
+    command->add_option("--datapackage", options->datapackage, "Frictionless data package of it")
+      ->type_name("FILE");
+    command->add_option("--datacite", options->datacite, "DataCite metadata")->type_name("FILE");
+    add_json_flag(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
+  }
+} // namespace dpcontact::commands

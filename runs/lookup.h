@@ -1,0 +1,72 @@
+#ifndef DPCONTACT_RUNS_LOOKUP_H
+#define DPCONTACT_RUNS_LOOKUP_H
+
+#include "database/material_table.h"
+#include "database/universal_lookup.h"
+#include "runs/documents.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dpcontact
+{
+  enum class LookupMethod
+  {
+    similarity, ///< the universal table: any R, E, σ_c and F_max
+    kriging,    ///< the others: the paper's material space, one R and one F_max
+    natural_neighbour,
+    regression, ///< eq (19) regressed over the rows
+    table_2     ///< eq (19) as the paper prints it
+  };
+  const char *to_string(LookupMethod method);
+  /// @throws InputError where `name` is none of the names that to_string() gives.
+  LookupMethod parse_lookup_method(const std::string &name);
+
+  /// Where the tables of this project lie.
+  std::filesystem::path default_database(LookupMethod method);
+
+  /// What a table says about one scene.
+  struct LookupResult
+  {
+    LookupMethod          method;
+    FirstYield            yield;
+    double                load_level;
+    std::array<double, 4> coefficients; ///< a, b, m, n of the consistent pair
+    std::array<double, 4> uncertainty;  ///< of each: interpolation, numerical, finite radius
+    std::array<double, 4> published;    ///< a 2^−b, b, m 2^−n, n
+    std::array<double, 4> published_uncertainty;
+    double                peak_approach, peak_approach_uncertainty; ///< m
+    double residual_approach, residual_approach_uncertainty; ///< m; of similarity as computed
+    double residual_eq18;                                    ///< m
+    /// Of similarity: interpolation, numerical, finite_radius, power_law_misfit.
+    std::array<std::array<double, 4>, 4> parts;
+    std::vector<CurvePoint>              loading; ///< of similarity the master curve
+  };
+
+  /// A table ready to be asked.
+  class LookupTable
+  {
+  public:
+    /// @throws FileError, CorruptData.
+    LookupTable(LookupMethod method, const std::filesystem::path &database);
+    ~LookupTable();
+    LookupTable(LookupTable &&) noexcept;
+
+    /// @throws InputError for what the table does not cover: another criterion, hardening, and the axis
+    /// and its range where the scene lies outside and `outside` refuses.
+    LookupResult at(const Case &input, Outside outside = Outside::refuse) const;
+
+  private:
+    struct Content;
+    std::unique_ptr<Content> content;
+  };
+
+  /// The objects `material`, `scene`, `yield`, `fit`, `published_convention` of solve's document,
+  /// and `uncertainty`.
+  Json        lookup_json(const Case &input, const LookupResult &result, unsigned int curve_points);
+  std::string describe(const Case &input, const LookupResult &result);
+} // namespace dpcontact
+
+#endif
