@@ -59,7 +59,8 @@ namespace dpcontact
             OT::KrigingAlgorithm algorithm(
               input, output, model, OT::ConstantBasisFactory(4).build());
             algorithm.setOptimizeParameters(known == nullptr);
-            algorithm.setOptimizationBounds(OT::Interval(OT::Point(4, 0.05), OT::Point(4, 20.)));
+            if (known == nullptr)
+              algorithm.setOptimizationBounds(OT::Interval(OT::Point(4, 0.05), OT::Point(4, 20.)));
             algorithm.run();
             results.push_back(algorithm.getResult());
           }

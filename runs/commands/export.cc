@@ -21,10 +21,6 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      if (options.csv.empty() && options.xlsx.empty() && options.json_table.empty() &&
-          options.datacite.empty())
-        throw InputError(
-          "export: nothing to write; give --csv, --xlsx, --json-table or --datacite");
       if (!options.datapackage.empty() && options.csv.empty())
         throw InputError("export: --datapackage describes the file of --csv: give that too");
       const Database database = read_database(options.database);
@@ -75,8 +71,10 @@ namespace dpcontact::commands
       program.add_subcommand("export", "The table of a database in other formats");
     command->add_option("DATABASE", options->database, "HDF5 file of a sweep, or CSV of an export")
       ->required();
+    CLI::Option_group *const formats = command->add_option_group("Formats", "at least one of them");
+    formats->require_option(1, 0);
     const auto file = [&](const char *name, std::string &target, const char *help) {
-      command->add_option(name, target, help)->type_name("FILE");
+      formats->add_option(name, target, help)->type_name("FILE");
     };
     file("--csv", options->csv, "CSV, and its digest beside it");
     file("--datapackage", options->datapackage, "Frictionless data package of that CSV file");
