@@ -110,6 +110,21 @@ def kernels():
     return result
 
 
+def law():
+    """{case: processor nanoseconds a call}, and of the construction of a universal law in all."""
+    table = BUILD.parent / "database" / "universal.csv"
+    file = OUTPUT / "law.json"
+    subprocess.run([str(BUILD / "dpcontact_law_benchmark"), str(table), "--benchmark_repetitions=9",
+                    f"--benchmark_out={file}", "--benchmark_out_format=json"],
+                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True)
+    result = {}
+    for line in json.loads(file.read_text(encoding="utf-8"))["benchmarks"]:
+        if line.get("aggregate_name") == "median":
+            calls = line["items_per_second"] if "items_per_second" in line else 1e9 / line["cpu_time"]
+            result[line["run_name"]] = 1e9 / calls
+    return result
+
+
 def profile(constants, resolution):
     command = [str(BUILD / "dpcontact_profile"), *constants.split(), str(resolution)]
     return json.loads(subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=True).stdout)

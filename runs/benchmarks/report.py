@@ -196,6 +196,14 @@ class Pages:
         text += "\nMaterial update and tangent of one point: " + ", ".join(points) + ".\n"
         self.note("kernels", "Parts", text)
 
+    def law_table(self, law):
+        self.csv("law", ["case", "nanoseconds"], list(law.items()))
+        lines = [[name, f"{value:.1f}", f"{100 * value / law['hertz']:.0f} %"]
+                 for name, value in law.items() if name != "construction"]
+        self.note("law", "The contact law", "Processor time of a call, median of nine:\n\n" +
+                  table(["", "ns", "of a Hertz call"], lines) +
+                  f"\nA universal law is made in {1e-3 * law['construction']:.0f} µs.\n")
+
     def profile_table(self, profiles):
         lines, numbers = [], []
         for name, profile in profiles:

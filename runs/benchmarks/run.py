@@ -126,7 +126,13 @@ def families(pages):
     pages.family_table(results)
 
 
-PARTS = {"curves": curves, "kernels": kernels, "profile": profile, "scaling": scaling, "families": families}
+def law(pages):
+    measure.say("law: the contact law's calls")
+    pages.law_table(measure.law())
+
+
+PARTS = {"curves": curves, "kernels": kernels, "profile": profile, "scaling": scaling, "families": families,
+         "law": law}
 
 
 def main():

@@ -1,0 +1,135 @@
+// What a call of the contact law takes beside a call of Hertz's, by Google Benchmark. The first
+// argument is a universal table. Overlaps are drawn beforehand; 4096 contacts with a state each
+// stand for a bed, in which loading and unloading follow each other at random.
+#include "database/contact_law.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <random>
+
+namespace
+{
+  using namespace dpcontact;
+
+  constexpr std::size_t contacts = 4096, rounds = 16;
+  constexpr double      radius = 0.05; // R*
+
+  std::optional<ContactLaw> universal, row;
+
+  const ContactLaw &law(const bool is_universal) { return is_universal ? *universal : *row; }
+
+  enum Pattern
+  {
+    loading,
+    unloading,
+    bed
+  };
+
+  /// Overlaps, `contacts` a round.
+  std::vector<double> overlaps(const ContactLaw &of, const Pattern pattern)
+  {
+    std::mt19937_64                        random(7);
+    std::uniform_real_distribution<double> uniform;
+    const double                           unit = of.approach_yield(radius);
+    std::vector<double>                    result(contacts * rounds);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      switch (pattern)
+        {
+          case loading:
+            result[i] = unit * std::exp(std::log(100.) * uniform(random));
+            break;
+          case unloading:
+            result[i] = unit * (95 + 5 * uniform(random));
+            break;
+          case bed:
+            result[i] = i < contacts
+                          ? 20 * unit * uniform(random)
+                          : std::abs(result[i - contacts] + unit * (6 * uniform(random) - 2.9));
+            break;
+        }
+    return result;
+  }
+
+  void hertz(benchmark::State &state)
+  {
+    const std::vector<double> delta = overlaps(*universal, bed);
+    double k = universal->force_yield(radius) / std::pow(universal->approach_yield(radius), 1.5);
+    benchmark::DoNotOptimize(k);
+    for (auto _ : state)
+      {
+        double sum = 0;
+        for (const double x : delta)
+          sum += x > 0 ? k * x * std::sqrt(x) : 0;
+        benchmark::DoNotOptimize(sum);
+      }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(delta.size()));
+  }
+
+  void contact(benchmark::State &state,
+               const bool        is_universal,
+               const Pattern     pattern,
+               const bool        own_radius)
+  {
+    const ContactLaw         &of    = law(is_universal);
+    const ContactPair         pair  = of.pair(radius);
+    const std::vector<double> delta = overlaps(of, pattern);
+    const ContactState        start{pattern == unloading ? 100 * of.approach_yield(radius) : 0};
+    std::vector<ContactState> states(contacts, start);
+    double                    r = radius;
+    benchmark::DoNotOptimize(r);
+    for (auto _ : state)
+      {
+        double sum = 0;
+        for (std::size_t i = 0; i < delta.size(); ++i)
+          {
+            ContactState &own = states[i % contacts];
+            if (pattern == loading || (pattern == bed && i < contacts))
+              own = start;
+            sum +=
+              own_radius ? of.evaluate(delta[i], r, own).force : pair.evaluate(delta[i], own).force;
+          }
+        benchmark::DoNotOptimize(sum);
+      }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(delta.size()));
+  }
+
+  void construction(benchmark::State &state, const ContactTable &table)
+  {
+    for (auto _ : state)
+      benchmark::DoNotOptimize(ContactLaw::universal({10e9, .17, 26, 10e6}, table));
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  benchmark::Initialize(&argc, argv);
+  std::ifstream file(argc == 2 ? argv[1] : "");
+  if (!file)
+    {
+      std::fprintf(stderr, "usage: dpcontact_law_benchmark TABLE.csv [--benchmark_…]\n");
+      return 2;
+    }
+  const ContactTable table = ContactTable::read(file);
+  universal                = ContactLaw::universal({10e9, .17, 26, 10e6}, table);
+  row = ContactLaw::from_row({1.0997, 1.435, 2.4076, 1.3686, .3354, 3.6436e-7, radius});
+  benchmark::RegisterBenchmark("hertz", hertz);
+  for (const bool kind : {true, false})
+    {
+      const std::string name = kind ? "universal/" : "row/";
+      const auto        add  = [&](const char *what, const Pattern pattern, const bool own) {
+        benchmark::RegisterBenchmark((name + what).c_str(), contact, kind, pattern, own);
+      };
+      add("loading", loading, false);
+      add("unloading", unloading, false);
+      add("bed", bed, false);
+      add("bed_of_any_radii", bed, true);
+    }
+  benchmark::RegisterBenchmark("construction", construction, table);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
