@@ -1,0 +1,138 @@
+"""What stands on a table: lookup, evaluate, check, and what export writes."""
+
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+
+import program
+from program import BAD_INPUT, CORRUPT, INCOMPLETE, SUCCESS
+
+DATABASE = pathlib.Path(__file__).resolve().parents[2] / "database"
+TYPE_1 = ["--E", "10GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa"]
+NAMES = ["a", "b", "m", "n"]
+
+# Table 2 of Wang et al. 2018 as printed: 1, E, nu, phi^2, phi, sigma_c^2, sigma_c
+TABLE_2 = {"a": (.5398, .0010279, -.047213, 7.65e-5, -.0061476, 5.5848e-5, -.0044023),
+           "b": (1.3087, -.0008713, .044259, -7.6019e-5, .006412, -3.8951e-5, .0033763)}
+
+
+def table(name):
+    with open(DATABASE / name, encoding="utf-8") as stream:
+        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+
+
+class Lookup(program.TestCase):
+    def lookup(self, *arguments):
+        return self.document("lookup", *arguments)
+
+    def test_a_node_of_the_universal_table_is_given_back(self):
+        rows = [row for row in table("universal.csv") if 1 < float(row["load_level"]) < 5000]
+        for row in rows[::211]:
+            # Another stiffness, strength and radius than the table's: similarity.
+            found = self.lookup("--E", "23GPa", "--sigma-c", "7MPa", "--radius", "3mm",
+                                "--nu", row["nu"], "--phi", row["phi_deg"],
+                                "--load-level", row["load_level"])
+            for name in NAMES:  # the file has 16 digits
+                self.assertAlmostEqual(found["fit"][name] / float(row[name]), 1, delta=1e-9)
+
+    def test_interpolation_meets_the_rows(self):
+        rows = [row for row in table("wang2018.csv") if row["nu"] == "0.2" or row["nu"] == "0.1"]
+        for row in rows[::17]:
+            material = ["--E", row["E_Pa"], "--nu", row["nu"], "--phi", row["phi_deg"],
+                        "--sigma-c", row["sigma_c_Pa"]]
+            # Natural neighbours give a node's own value; Kriging solves a system for it.
+            for method, tolerance in [("natural-neighbour", 1e-9), ("kriging", 1e-5)]:
+                found = self.lookup(*material, "--method", method)["fit"]
+                for name in NAMES:
+                    self.assertAlmostEqual(found[name] / float(row[name]), 1, delta=tolerance)
+
+    def test_table_2_as_printed(self):
+        found = self.lookup(*TYPE_1, "--method", "table-2")
+        terms = (1, 10, .15, 25 ** 2, 25, 15 ** 2, 15)
+        for name, coefficients in TABLE_2.items():
+            value = sum(c * t for c, t in zip(coefficients, terms))
+            if name == "b":
+                self.assertAlmostEqual(found["fit"]["b"], value, delta=1e-9)
+            else:
+                self.assertAlmostEqual(found["published_convention"]["a"], value, delta=1e-9)
+
+    def test_outside_the_data(self):
+        for name, arguments in [("phi", ["--phi", "60"]), ("nu", ["--nu", "0.47"]),
+                                ("load", ["--load-level", "20000"])]:
+            values = dict(zip(TYPE_1[::2], TYPE_1[1::2]))
+            values.update([arguments])
+            words = [word for pair in values.items() for word in pair]
+            message = self.fail_with(BAD_INPUT, "lookup", *words)
+            self.assertIn(name, message)
+            self.assertIn("--extrapolate", message)
+            self.lookup(*words, "--extrapolate")
+        message = self.fail_with(BAD_INPUT, "lookup", *TYPE_1[:-1], "80MPa", "--method", "kriging")
+        self.assertIn("sigma", message)
+
+
+class Evaluate(program.TestCase):
+    def test_the_papers_evaluation(self):
+        found = self.document("evaluate")
+        for errors in found["table_4"].values():
+            for name in NAMES:
+                self.assertLess(errors["similarity"][name], errors["paper_interpolation"][name])
+        left_out = found["leave_one_out"]
+        self.assertLess(left_out["similarity"]["rms"]["m"], left_out["regression"]["rms"]["m"])
+
+
+class Check(program.TestCase):
+    def test_shipped_tables_are_right(self):
+        for name in ["universal.csv", "wang2018.csv"]:
+            found = self.document("check", DATABASE / name)
+            self.assertEqual((found["errors"], found["warnings"]), (0, 0), found)
+
+    def test_a_wrong_number_is_found(self):
+        copy = self.directory / "universal.csv"
+        content = (DATABASE / "universal.csv").read_text(encoding="utf-8")
+        copy.write_text(content, encoding="utf-8")
+        digest = self.directory / "universal.csv.sha256"
+        shutil.copy(DATABASE / "universal.csv.sha256", digest)
+        self.succeed("check", copy)
+
+        row = next(row for row in table("universal.csv") if float(row["load_level"]) > 100)
+        copy.write_text(content.replace(row["m"], str(3 * float(row["m"]))), encoding="utf-8")
+        self.fail_with(CORRUPT, "check", copy)
+        self.fail_with(CORRUPT, "lookup", *TYPE_1, "--database", copy)
+        name = subprocess.run(["sha256sum", "universal.csv"], cwd=self.directory, text=True,
+                              capture_output=True, check=True).stdout
+        digest.write_text(name, encoding="utf-8")
+        result = self.run_program("check", copy)
+        self.assertEqual(result.returncode, INCOMPLETE, result.stdout + result.stderr)
+
+    def test_files_that_are_no_tables(self):
+        for content in ["", "a,b\n1,2\n", "\0\1\2", "# dpcontact: universal table\n"]:
+            path = self.write("wrong.csv", content)
+            result = self.run_program("check", path)
+            self.assertIn(result.returncode, (4, BAD_INPUT, CORRUPT), result.stderr)
+            self.assertTrue(result.stderr.startswith("dpcontact: error: "), result.stderr)
+
+
+class Exports(program.TestCase):
+    def test_other_readers_find_the_same_numbers(self):
+        grid = self.write("grid.prm", "set E = 10GPa\nset nu = 0.15\nset phi = 25\n"
+                          "set sigma-c = 15MPa, 60MPa\nset resolution = 12\n"
+                          "set step-tolerance = 1e-2\n")
+        self.succeed("sweep", grid, "--database", "g.h5")
+        self.succeed("check", "g.h5")
+        self.succeed("export", "g.h5", "--csv", "g.csv", "--datapackage", "p.json", "--xlsx",
+                     "g.xlsx", "--json-table", "g.json", "--datacite", "d.json")
+        reader = pathlib.Path(__file__).parent / "read_exports.py"
+        # Debian's python has the readers.
+        result = subprocess.run(["/usr/bin/python3", str(reader), "g.h5", "g.csv", "p.json",
+                                 "g.xlsx", "g.json"], cwd=self.directory, capture_output=True,
+                                text=True)
+        self.assertEqual(result.returncode, SUCCESS, result.stderr)
+        cited = json.loads((self.directory / "d.json").read_text(encoding="utf-8"))
+        self.assertEqual(cited["relatedIdentifiers"][0]["relatedIdentifier"],
+                         "10.1155/2018/6783791")
+
+
+if __name__ == "__main__":
+    program.main()
