@@ -780,10 +780,10 @@ namespace dpcontact
     ContactPair(const ContactLaw &law_, const double effective_radius_)
       : law(law_)
       , radius(effective_radius_)
-      , per_approach(1 / (law.approach_1 * radius))
-      , force_unit(law.force_1 * radius * radius)
     {
       contact_law_detail::check_positive("the effective radius R*", radius);
+      per_approach = 1 / (law.approach_1 * radius);
+      force_unit   = law.force_1 * radius * radius;
     }
 
     /// Force at this overlap, which follows those before. Allocates nothing, never throws.
