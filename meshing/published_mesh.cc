@@ -55,7 +55,7 @@ namespace dpcontact
   {
     require(std::isfinite(outer_radius) && outer_radius >= zone_radius[1] + radial_size[2] &&
               outer_radius <= sphere_radius,
-            "outer_radius",
+            "outer-radius",
             outer_radius,
             "from 0.006 m (one element of zone III) to 0.1 m (the sphere's radius)");
     require(level <= 6, "level", level, "at most 6");

@@ -150,13 +150,12 @@ namespace dpcontact
               {"penalty-stiffness", used.penalty_stiffness},
               {"units", used.units == Units::si ? "si" : "scaled"},
               {"surface", used.surface == Surface::sphere ? "sphere" : "parabola"}};
+    if (used.mesh == MeshKind::published)
+      json["outer-radius"] = used.outer_radius;
     if (in_space(used.geometry))
       json.update({{"geometry", to_string(used.geometry)},
                    {"sector-angle", used.sector_angle},
-                   {"linear-solver",
-                    used.linear_solver == LinearSolver::direct      ? "direct"
-                    : used.linear_solver == LinearSolver::iterative ? "iterative"
-                                                                    : "auto"}});
+                   {"linear-solver", to_string(used.linear_solver)}});
     return json;
   }
 

@@ -2,7 +2,7 @@
 
 #include "fitting/curve_fit.h"
 #include "meshing/errors.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 #include "solver/law_of.h"
 #include "solver/pilot.h"

@@ -202,7 +202,14 @@ namespace dpcontact
       count("octaves",
             "contacts down to 2^-octaves of the largest are resolved as well, for families",
             defaults.octaves),
-      number("domain-radius", "far boundary, in contact radii", defaults.domain_radius),
+      number("domain-radius",
+             "far boundary of the fitted mesh, in contact radii",
+             defaults.domain_radius),
+      Setting{"outer-radius",
+              Kind::quantity,
+              "of the published mesh, which the paper does not print [" +
+                format_quantity(defaults.outer_radius, Dimension::length) + "]",
+              Dimension::length},
       number("mesh-stretch", "stretches the fitted mesh by a factor", defaults.mesh_stretch),
       number("mesh-distortion",
              "moves interior vertices at random by up to this share of an edge",
@@ -375,13 +382,13 @@ namespace dpcontact
       options.surface_halvings = parse_count("surface-halvings", halvings);
     options.element = parse_element(choose(texts, "element", to_string(options.element)));
     read_number("sector-angle", options.sector_angle);
-    const std::string linear_solver = choose(texts, "linear-solver", "auto");
-    options.linear_solver           = linear_solver == "direct"      ? LinearSolver::direct
-                                      : linear_solver == "iterative" ? LinearSolver::iterative
-                                                                     : LinearSolver::automatic;
+    options.linear_solver =
+      parse_linear_solver(choose(texts, "linear-solver", to_string(options.linear_solver)));
     read_count("level", options.level);
     read_count("octaves", options.octaves);
     read_number("domain-radius", options.domain_radius);
+    if (const auto text = find(texts, "outer-radius"))
+      options.outer_radius = parse_quantity("outer-radius", *text, Dimension::length);
     read_number("mesh-stretch", options.mesh_stretch);
     read_number("mesh-distortion", options.mesh_distortion);
     read_number("step-tolerance", options.step_tolerance);

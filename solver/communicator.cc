@@ -85,16 +85,4 @@ namespace dpcontact
       MPI_Bcast(&value, 1, MPI_DOUBLE, 0, communicator);
     return value;
   }
-
-  std::string Communicator::broadcast(const std::string &text) const
-  {
-    if (alone())
-      return text;
-    int length = static_cast<int>(text.size());
-    MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
-    std::string result = text;
-    result.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(result.data(), length, MPI_CHAR, 0, communicator);
-    return result;
-  }
 } // namespace dpcontact

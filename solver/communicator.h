@@ -2,7 +2,6 @@
 #define DPCONTACT_SOLVER_COMMUNICATOR_H
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace dpcontact
@@ -25,14 +24,12 @@ namespace dpcontact
     void   sum(std::vector<double> &values) const;
     double sum(double value) const;
     double max(double value) const;
-    bool   any(bool value) const { return max(value ? 1. : 0.) > 0; }
 
     /// The values of all processes one after another, on every process.
     std::vector<double> gather(const std::vector<double> &values) const;
 
     /// The first process's value.
-    double      broadcast(double value) const;
-    std::string broadcast(const std::string &text) const;
+    double broadcast(double value) const;
 
   private:
     void sum(double *values, std::size_t n) const;

@@ -58,7 +58,7 @@ namespace dpcontact
     /// in x.
     /// @return false where an iterative solver did not converge.
     bool solve(const std::vector<double> &b, double factor, std::vector<double> &x);
-    /// Iterations of the linear solver so far, and systems solved; 0 iterations of a direct one.
+    /// Iterations of the linear solver so far; 0 of a direct one.
     unsigned int linear_iterations() const { return distributed ? distributed->iterations() : 0; }
 
     /// Adds what the elastic rest resists with to `residual` (over all free unknowns).

@@ -341,7 +341,6 @@ namespace dpcontact
                 const auto  &position = values.quadrature_point(q);
                 SurfacePoint point;
                 point.radius  = radius(position);
-                point.azimuth = dim == 3 ? std::atan2(position[1], position[0]) : 0.;
                 point.weight  = values.JxW(q) * values.normal_vector(q)[dim - 1] *
                                Kinematics<dim>::measure(position);
                 face.points.push_back(std::move(point));

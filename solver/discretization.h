@@ -57,7 +57,6 @@ namespace dpcontact
     struct SurfacePoint
     {
       double              radius;
-      double              azimuth; ///< 0 in axisymmetry
       double              weight;  ///< area seen along the axis, on which the pressure acts
       std::vector<double> value;   ///< of the normal displacement at unit unknown
     };

@@ -18,6 +18,20 @@ namespace dpcontact
     constexpr double       krylov_tolerance = 1e-10;
     constexpr unsigned int most_iterations  = 1000;
 
+    constexpr const char *options_prefix = "dpcontact_";
+
+    /// Smoothing by symmetric successive over-relaxation bounds the spectrum by 1 whatever the
+    /// diagonal; PETSc's own, Chebyshev's over an estimated spectrum, misses the few large
+    /// eigenvalues of the nodes under penalty. Aggregates of one node carry fewer than six modes
+    /// and leave coarse rows empty: the shift, of any size, passes over them, which relaxation by
+    /// blocks of rows ("inodes") could not.
+    constexpr std::pair<const char *, const char *> smoothing[] = {
+      {"-mat_no_inode", ""},
+      {"-dpcontact_mg_levels_ksp_type", "richardson"},
+      {"-dpcontact_mg_levels_ksp_max_it", "1"},
+      {"-dpcontact_mg_levels_pc_type", "sor"},
+      {"-dpcontact_mg_levels_pc_sor_diagonal_shift", "1e-12"}};
+
     void check(const PetscErrorCode code, const char *what)
     {
       if (code == 0)
@@ -27,6 +41,14 @@ namespace dpcontact
       throw SolverError(std::string("PETSc could not ") + what + ": " +
                         (text != nullptr ? text : "unknown error") + " (code " +
                         std::to_string(code) + ")");
+    }
+
+    void set_default_option(const char *name, const char *value)
+    {
+      PetscBool is_set = PETSC_FALSE;
+      check(PetscOptionsHasName(nullptr, nullptr, name, &is_set), "look up an option");
+      if (is_set == PETSC_FALSE)
+        check(PetscOptionsSetValue(nullptr, name, value), "set an option");
     }
   } // namespace
 
@@ -198,12 +220,16 @@ namespace dpcontact
   void DistributedSolver<dim>::Objects::create_krylov()
   {
     check(KSPCreate(comm, &krylov), "create a solver");
+    // PETSC_OPTIONS of the environment reaches this solver by its own names alone.
+    check(KSPSetOptionsPrefix(krylov, options_prefix), "name the solver's options");
     PC preconditioner = nullptr;
     check(KSPGetPC(krylov, &preconditioner), "create a preconditioner");
     if (iterative)
       {
         check(KSPSetType(krylov, symmetric ? KSPCG : KSPGMRES), "set the Krylov method");
         check(PCSetType(preconditioner, PCGAMG), "set the preconditioner");
+        for (const auto &[name, value] : smoothing)
+          set_default_option(name, value);
         KSPSetNormType(krylov, symmetric ? KSP_NORM_UNPRECONDITIONED : KSP_NORM_PRECONDITIONED);
         KSPSetTolerances(krylov,
                          krylov_tolerance,

@@ -1,7 +1,7 @@
 #include "solver/force_history.h"
 
 #include "meshing/errors.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/pilot.h"
 #include "solver/step_extrapolation.h"
 

@@ -1,7 +1,10 @@
 #ifndef DPCONTACT_SOLVER_LINEAR_SOLVER_H
 #define DPCONTACT_SOLVER_LINEAR_SOLVER_H
 
+#include "meshing/errors.h"
+
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace dpcontact
@@ -31,6 +34,25 @@ namespace dpcontact
     direct,    ///< CHOLMOD or UMFPACK of one process, MUMPS of several
     iterative  ///< Krylov method with algebraic multigrid
   };
+
+  /// The name by which a linear solver is asked for.
+  inline const char *to_string(const LinearSolver solver)
+  {
+    return solver == LinearSolver::direct      ? "direct"
+           : solver == LinearSolver::iterative ? "iterative"
+                                               : "auto";
+  }
+
+  /// @throws InputError where `name` is none of the names that to_string() gives.
+  inline LinearSolver parse_linear_solver(const std::string &name)
+  {
+    for (const LinearSolver solver :
+         {LinearSolver::automatic, LinearSolver::direct, LinearSolver::iterative})
+      if (name == to_string(solver))
+        return solver;
+    throw InputError("linear-solver = '" + name +
+                     "' is unknown; it must be auto, direct or iterative");
+  }
 
   /// Direct solution of sparse systems; the symbolic factorisation is made once for a pattern.
   class DirectSolver

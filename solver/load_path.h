@@ -71,7 +71,8 @@ namespace dpcontact
     };
 
     /// load() and unload(), in the steps of the options, going on from `progress` where that holds
-    /// points. `keep` is called at every point but the last.
+    /// points. `keep` is called at every point but the
+    /// peak and the last.
     void run(double                                       peak,
              double                                       peak_approach_guess,
              Progress                                    &progress,

@@ -1,7 +1,7 @@
 #ifndef DPCONTACT_SOLVER_PILOT_H
 #define DPCONTACT_SOLVER_PILOT_H
 
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/solve.h"
 
 namespace dpcontact

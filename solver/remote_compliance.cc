@@ -1,7 +1,7 @@
 #include "solver/remote_compliance.h"
 
 #include "meshing/errors.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 
 #include <cmath>

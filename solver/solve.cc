@@ -2,7 +2,7 @@
 
 #include "meshing/errors.h"
 #include "solver/elastic_solution.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 #include "solver/pilot.h"
 #include "solver/recovery.h"

@@ -62,10 +62,11 @@ namespace dpcontact
     /// Further halvings of the cells at the surface. Unset: 1 where the approach at the peak
     /// is more than strongly_plastic times Hertz's, else 0.
     std::optional<unsigned int> surface_halvings;
-    Element                     element       = Element::serendipity_reduced;
-    unsigned int                level         = 0; ///< uniform refinements of the whole mesh on top
-    double                      domain_radius = 200; ///< far boundary, in contact radii
-    double                      mesh_stretch = 1; ///< stretches the fitted mesh (similarity checks)
+    Element                     element = Element::serendipity_reduced;
+    unsigned int                level   = 0; ///< uniform refinements of the whole mesh on top
+    double domain_radius = 200;              ///< far boundary of the fitted mesh, in contact radii
+    double outer_radius  = 0.012;            ///< of the published mesh (published_mesh.h), m
+    double mesh_stretch  = 1;                ///< stretches the fitted mesh (similarity checks)
     /// Interior vertices are moved at random by up to this share of an edge, for studies.
     double       mesh_distortion = 0;
     unsigned int octaves  = 0;    ///< contacts down to 2^−octaves are resolved as well (zones.h)

@@ -213,6 +213,6 @@ namespace
     };
     for (const double angle : {0., pi / 4, pi, -2 * pi, std::numeric_limits<double>::quiet_NaN()})
       refused({}, angle, "angle");
-    refused({0.001, 0, 1}, pi / 2, "outer_radius");
+    refused({0.001, 0, 1}, pi / 2, "outer-radius");
   }
 } // namespace

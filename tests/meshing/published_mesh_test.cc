@@ -146,7 +146,7 @@ namespace
       EXPECT_EQ(mesh.n_active_cells(), 0u);
     };
     for (const double value : {0., -1., 0.005, 0.11, nan, inf})
-      refused({value, 0, 1}, "outer_radius");
+      refused({value, 0, 1}, "outer-radius");
     refused({0.012, 7, 1}, "level");
     for (const double value : {0., -1., nan, inf})
       refused({0.012, 0, value}, "unit");

@@ -1,7 +1,7 @@
 // The true sphere instead of the half-space under a parabola, and what is remote in its approach.
 
 #include "meshing/errors.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 #include "solver/profile.h"
 #include "solver/remote_compliance.h"

@@ -1,5 +1,5 @@
 #include "meshing/boundary_ids.h"
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 #include "tests/support/contact_problem.h"
 #include "tests/support/floating_point_traps.h"

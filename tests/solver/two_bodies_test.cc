@@ -1,4 +1,4 @@
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/hertz.h"
 #include "tests/support/solver_environment.h"
 

@@ -3,7 +3,7 @@
 // boundary, and without the remote compliance. Strains stay small in both: rotations and finite
 // strains, which are of order a/R as well, are in neither.
 
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 #include "solver/remote_compliance.h"
 #include "solver/step_extrapolation.h"
 #include "tests/support/rocks.h"

@@ -1,5 +1,5 @@
-#ifndef DPCONTACT_SOLVER_HALF_SPACE_MODEL_H
-#define DPCONTACT_SOLVER_HALF_SPACE_MODEL_H
+#ifndef DPCONTACT_SOLVER_CONTACT_MODEL_H
+#define DPCONTACT_SOLVER_CONTACT_MODEL_H
 
 #include "meshing/zones.h"
 #include "solver/checkpoint.h"

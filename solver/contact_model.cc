@@ -1,4 +1,4 @@
-#include "solver/half_space_model.h"
+#include "solver/contact_model.h"
 
 #include "meshing/partition.h"
 #include "meshing/published_mesh.h"
@@ -23,8 +23,9 @@ namespace dpcontact
     const double  a         = mesh_radius;
     const bool    published = options.mesh == MeshKind::published;
     PublishedMesh paper;
-    paper.level = options.level;
-    paper.unit  = a;
+    paper.outer_radius = options.outer_radius;
+    paper.level        = options.level;
+    paper.unit         = a;
     Zones zones;
     zones.resolution       = options.resolution;
     zones.level            = options.level;
