@@ -1,8 +1,8 @@
 #include "solver/solve.h"
 
 #include "meshing/errors.h"
-#include "solver/elastic_solution.h"
 #include "solver/contact_model.h"
+#include "solver/elastic_solution.h"
 #include "solver/hertz.h"
 #include "solver/pilot.h"
 #include "solver/recovery.h"
@@ -131,10 +131,12 @@ namespace dpcontact
                  "mesh-distortion",
                  mesh_distortion,
                  "from 0 to 0.3");
-    check_option(loading_steps % 2 == 0 && loading_steps <= 4096,
+    // The run with half as many steps needs a curve that can be fitted as well.
+    check_option(loading_steps == 0 ||
+                   (loading_steps % 2 == 0 && loading_steps >= 16 && loading_steps <= 4096),
                  "loading-steps",
                  loading_steps,
-                 "even and at most 4096 (0: as many as step-tolerance needs)");
+                 "even, from 16 to 4096 (0: as many as step-tolerance needs)");
     check_option(step_tolerance > 0 && step_tolerance <= 1,
                  "step-tolerance",
                  step_tolerance,

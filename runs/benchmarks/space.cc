@@ -1,6 +1,6 @@
 // What one elastic and one plastic step cost in space, and what the linear solver does in them.
-// Run, also under mpirun: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL SOLVER (as `dpcontact
-// solve` names them); prints JSON.
+// Run, also under mpirun: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER
+// (as `dpcontact solve` names them); prints JSON.
 #include "solver/contact_model.h"
 #include "solver/environment.h"
 #include "solver/first_yield.h"
@@ -62,6 +62,9 @@ namespace
     };
     const auto legs =
       model.run_history({{elastic_share * yield.onset_force(), 1}, {scene.force_max, 1}}, step);
+    const double elastic_force = elastic_share * yield.onset_force();
+    result["elastic_error"] =
+      legs[0].back().approach / hertz::approach(rock, scene, elastic_force) - 1;
     result["approaches"]     = {legs[0].back().approach, legs[1].back().approach};
     result["plastic_volume"] = legs[1].back().plastic_volume;
     result["cut_backs"]      = model.counters().cut_backs;
@@ -73,16 +76,18 @@ namespace
 int main(int argc, char **argv)
 try
   {
-    if (argc != 6)
+    if (argc != 7)
       {
-        std::cerr << "usage: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL SOLVER\n";
+        std::cerr
+          << "usage: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER\n";
         return 2;
       }
     SolverOptions options = SolverOptions::of(parse_geometry(argv[1]));
     options.element       = parse_element(argv[2]);
     options.resolution    = static_cast<unsigned int>(std::stoul(argv[3]));
     options.level         = static_cast<unsigned int>(std::stoul(argv[4]));
-    options.linear_solver = parse_linear_solver(argv[5]);
+    options.domain_radius = std::stod(argv[5]);
+    options.linear_solver = parse_linear_solver(argv[6]);
     options.check();
     const Environment    environment;
     const Communicator   processes = environment.world();
