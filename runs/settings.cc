@@ -195,7 +195,8 @@ namespace dpcontact
         "element",
         Kind::choice,
         "serendipity (8 nodes, 2x2 points), quadratic (9, 3x3; in space 27, 3x3x3), brick (4 or "
-        "8, mean dilatation) or linear (4 or 8: locks) [serendipity; in space brick]",
+        "8, mean dilatation) or linear (4 or 8: locks) [serendipity; in space quadratic, of the "
+        "published geometry brick]",
         Dimension::number,
         {"serendipity", "quadratic", "brick", "linear"}},
       count("level", "uniform refinements of the whole mesh on top", defaults.level),

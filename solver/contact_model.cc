@@ -311,6 +311,17 @@ namespace dpcontact
     std::map<int, std::vector<Face>> bins;
     for (const Face &face : faces)
       bins[static_cast<int>(face.radius / width)].push_back(face);
+    constexpr std::size_t fewest = 4; // two say nothing about what differs from a straight line
+    for (auto bin = bins.begin(); bin != bins.end() && std::next(bin) != bins.end();)
+      if (const auto next = std::next(bin);
+          bin->second.size() < fewest ||
+          (std::next(next) == bins.end() && next->second.size() < fewest))
+        {
+          next->second.insert(next->second.end(), bin->second.begin(), bin->second.end());
+          bin = bins.erase(bin);
+        }
+      else
+        ++bin;
     double square = 0, area = 0;
     for (const auto &[bin, members] : bins)
       {

@@ -68,11 +68,14 @@ namespace dpcontact
     options.geometry = geometry;
     if (in_space(geometry))
       {
-        options.element    = Element::linear_mean_dilatation;
-        options.resolution = 12;
+        options.element    = Element::quadratic_full;
+        options.resolution = 6;
       }
     if (geometry == Geometry::published)
-      options.mesh = MeshKind::published;
+      {
+        options.element = Element::linear_mean_dilatation;
+        options.mesh    = MeshKind::published;
+      }
     return options;
   }
 

@@ -56,7 +56,7 @@ namespace dpcontact
   struct SolverOptions
   {
     Geometry     geometry     = Geometry::axisymmetric;
-    double       sector_angle = 90; ///< of Geometry::sector, degrees: 90 or 45
+    double       sector_angle = 45; ///< of Geometry::sector, degrees: 90 or 45
     MeshKind     mesh         = MeshKind::fitted;
     unsigned int resolution   = 40; ///< elements across the contact radius at the peak
     /// Further halvings of the cells at the surface. Unset: 1 where the approach at the peak
@@ -86,7 +86,8 @@ namespace dpcontact
     /// which remove_linear_compliance() takes out.
     Surface surface = Surface::parabola;
 
-    /// The defaults of a geometry: in space bricks, and fewer of them.
+    /// The defaults of a geometry: in space quadratic elements, few of them; on the published mesh
+    /// the low-order bricks that the paper has.
     static SolverOptions of(Geometry geometry);
 
     /// Angle that the model covers in space, rad.

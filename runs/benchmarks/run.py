@@ -9,6 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import measure  # noqa: E402
 import reference  # noqa: E402
 import report  # noqa: E402
+import space  # noqa: E402
 
 # name: options of dpcontact solve. `elastic` has a closed form, the others a stored reference.
 MATERIALS = {
@@ -131,8 +132,12 @@ def law(pages):
     pages.law_table(measure.law())
 
 
+def in_space(pages):
+    space.measure_all(pages, reference.load(MATERIALS)["type 1"])
+
+
 PARTS = {"curves": curves, "kernels": kernels, "profile": profile, "scaling": scaling, "families": families,
-         "law": law}
+         "law": law, "space": in_space}
 
 
 def main():

@@ -1,6 +1,6 @@
 // What one elastic and one plastic step cost in space, and what the linear solver does in them.
 // Run, also under mpirun: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER
-// (as `dpcontact solve` names them); prints JSON.
+// ANGLE (as `dpcontact solve` names them); prints JSON.
 #include "solver/contact_model.h"
 #include "solver/environment.h"
 #include "solver/first_yield.h"
@@ -76,10 +76,10 @@ namespace
 int main(int argc, char **argv)
 try
   {
-    if (argc != 7)
+    if (argc != 8)
       {
-        std::cerr
-          << "usage: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER\n";
+        std::cerr << "usage: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS "
+                     "SOLVER ANGLE\n";
         return 2;
       }
     SolverOptions options = SolverOptions::of(parse_geometry(argv[1]));
@@ -88,6 +88,7 @@ try
     options.level         = static_cast<unsigned int>(std::stoul(argv[4]));
     options.domain_radius = std::stod(argv[5]);
     options.linear_solver = parse_linear_solver(argv[6]);
+    options.sector_angle  = std::stod(argv[7]);
     options.check();
     const Environment    environment;
     const Communicator   processes = environment.world();

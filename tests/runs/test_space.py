@@ -11,8 +11,8 @@ from program import BAD_INPUT, CORRUPT, MISMATCH, SUCCESS
 
 ROCK = ["--E", "10GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa"]
 # Small, but yielding: 8 loading and 4 unloading steps after a run of half as many.
-SMALL = ["solve", *ROCK, "--geometry", "sector", "--resolution", "4", "--domain-radius", "30",
-         "--loading-steps", "16", "--extrapolation", "off"]
+SMALL = ["solve", *ROCK, "--geometry", "sector", "--sector-angle", "90", "--element", "brick",
+         "--resolution", "4", "--domain-radius", "30", "--loading-steps", "16", "--extrapolation", "off"]
 NUMBERS = ["a", "b", "m", "n"]
 
 
@@ -34,6 +34,30 @@ class Space(program.TestCase):
         self.assertLessEqual(abs(one["cost"]["newton_iterations"] -
                                  other["cost"]["newton_iterations"]),
                              .02 * one["cost"]["newton_iterations"])
+
+    def test_sector_and_disc_agree_with_axisymmetry(self):
+        """Within the sum of the stated errors, of which the step's is common to all."""
+        steps = ["--loading-steps", "16", "--extrapolation", "off"]
+        elastic = ["--E", "10GPa", "--nu", "0.2", "--phi", "30", "--sigma-c", "1GPa",
+                   "--closed-form", "off"]
+        sector = ["--geometry", "sector", "--resolution", "4"]
+        disc = ["--geometry", "disc", "--element", "brick", "--resolution", "4"]
+        for rock in [ROCK, elastic]:
+            plane = self.document("solve", *rock, *steps)
+            for geometry in [sector, disc]:
+                with self.subTest(rock=rock, geometry=geometry):
+                    space = self.document("solve", *rock, *geometry, *steps)
+                    for name in NUMBERS:
+                        parts = [result["error"][name] for result in (plane, space)]
+                        self.assertLessEqual(
+                            abs(space["fit"][name] - plane["fit"][name]),
+                            sum(part["mesh"] + part["contact"] + part["far_field"]
+                                for part in parts), name)
+                    self.assertAlmostEqual(
+                        space["peak"]["approach"] / plane["peak"]["approach"], 1,
+                        delta=2e-3 if geometry is sector else 1.5e-2)
+                    self.assertGreater(space["axisymmetry_deviation"], 0)
+                    self.assertLess(space["axisymmetry_deviation"], .02)
 
     def test_processes_and_linear_solvers_agree(self):
         alone = {kind: self.document(*SMALL, "--linear-solver", kind)
