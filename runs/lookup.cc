@@ -1,5 +1,6 @@
 #include "runs/lookup.h"
 
+#include "database/checks.h"
 #include "database/exports.h"
 #include "database/text.h"
 #include "fitting/curve_fit.h"
@@ -170,9 +171,12 @@ namespace dpcontact
     if (method == LookupMethod::similarity)
       {
         content->universal = UniversalTable::read(database);
+        refuse_errors(check(*content->universal), database);
         return;
       }
-    content->materials = MaterialTable::from_rows(read_database(database));
+    const Database rows = read_database(database);
+    refuse_errors(check(rows), database);
+    content->materials = MaterialTable::from_rows(rows);
     content->estimator =
       method == LookupMethod::kriging             ? make_kriging(content->materials)
       : method == LookupMethod::natural_neighbour ? make_natural_neighbour(content->materials)
@@ -206,6 +210,21 @@ namespace dpcontact
 
   namespace
   {
+    /// Without what is not known: numbers that are not set, empty texts, and what holds no other.
+    Json known(const Json &whole)
+    {
+      Json part = Json::object();
+      for (const auto &[name, value] : whole.items())
+        if (value.is_object())
+          {
+            if (Json inner = known(value); !inner.empty())
+              part[name] = std::move(inner);
+          }
+        else if (!(value.is_number_float() && std::isnan(value.get<double>())) && value != "")
+          part[name] = value;
+      return part;
+    }
+
     Json by_name(const std::array<double, 4> &values)
     {
       return {{"a", values[0]}, {"b", values[1]}, {"m", values[2]}, {"n", values[3]}};
@@ -287,6 +306,7 @@ namespace dpcontact
                                        {"numerical", by_name(result.parts[1])},
                                        {"finite_radius", by_name(result.parts[2])},
                                        {"power_law_misfit", by_name(result.parts[3])}};
+    document = known(document);
     if (curve_points > 0)
       document["curve"] = curve_json(result, curve_points);
     return document;
