@@ -336,4 +336,49 @@ namespace dpcontact
            length(result.residual_approach_uncertainty) + ", by eq (18) " +
            length(result.residual_eq18) + "\n";
   }
+
+  std::string lookup_csv(const std::vector<std::pair<Case, LookupResult>> &answers)
+  {
+    std::string text =
+      "# Force laws of like spheres: F/F_y = a (delta/delta_y)^b, unloading F/F_y = m ((delta - "
+      "delta_res)/delta_y)^n.\n"
+      "# Of *_published delta_y is that of one sphere. Quantities in SI, angles in degrees.\n"
+      "method,E_Pa,nu,phi_deg,sigma_c_Pa,radius_m,force_max_N,load_level,force_yield_N,"
+      "approach_yield_m,a,b,m,n,a_uncertainty,b_uncertainty,m_uncertainty,n_uncertainty,"
+      "a_published,m_published,a_published_uncertainty,m_published_uncertainty,approach_peak_m,"
+      "approach_peak_uncertainty_m,approach_residual_m,approach_residual_uncertainty_m\n";
+    for (const auto &[input, found] : answers)
+      {
+        text += to_string(found.method);
+        const auto &c = found.coefficients, &u = found.uncertainty;
+        for (const double value : {input.material.youngs_modulus,
+                                   input.material.poisson_ratio,
+                                   input.friction_angle_degrees,
+                                   input.material.compressive_strength,
+                                   input.scene.radius,
+                                   input.scene.force_max,
+                                   found.load_level,
+                                   found.yield.force,
+                                   found.yield.approach,
+                                   c[0],
+                                   c[1],
+                                   c[2],
+                                   c[3],
+                                   u[0],
+                                   u[1],
+                                   u[2],
+                                   u[3],
+                                   found.published[0],
+                                   found.published[2],
+                                   found.published_uncertainty[0],
+                                   found.published_uncertainty[2],
+                                   found.peak_approach,
+                                   found.peak_approach_uncertainty,
+                                   found.residual_approach,
+                                   found.residual_approach_uncertainty})
+          text += std::isnan(value) ? "," : "," + number_text(value);
+        text += '\n';
+      }
+    return text;
+  }
 } // namespace dpcontact

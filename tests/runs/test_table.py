@@ -111,6 +111,34 @@ class Lookup(program.TestCase):
                                    delta=found["uncertainty"][name] + solved["error"][name]["total"])
         self.assertNotIn("curve", found)
 
+    def test_lists_make_a_table(self):
+        grid = self.write("grid.prm", "set E = 10GPa, 20GPa\nset nu = 0.15\nset phi = 25, 37\nset sigma-c = 15MPa\n")
+        for method in ["similarity", "regression", "table-2"]:
+            self.succeed("lookup", "--parameter-file", grid, "--method", method, "--csv", "laws.csv")
+            with open(self.directory / "laws.csv", encoding="utf-8") as stream:
+                rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+            self.assertEqual([(float(row["E_Pa"]), float(row["phi_deg"])) for row in rows],
+                             [(1e10, 25), (1e10, 37), (2e10, 25), (2e10, 37)])
+            single = self.lookup("--E", "20GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa", "--method", method)
+            row = rows[2]
+            self.assertEqual(row["method"], method)
+            for name in NAMES:
+                self.assertEqual(float(row[name]), single["fit"][name])
+                uncertainty = single.get("uncertainty", {}).get(name)
+                self.assertEqual(float(row[f"{name}_uncertainty"] or "nan") if uncertainty else row[f"{name}_uncertainty"],
+                                 uncertainty or "")
+            for column, value in [("a_published", single["published_convention"]["a"]),
+                                  ("m_published", single["published_convention"]["m"]),
+                                  ("force_yield_N", single["yield"]["force"]),
+                                  ("approach_yield_m", single["yield"]["approach"]),
+                                  ("load_level", single["load_level"]),
+                                  ("approach_residual_m", single["residual_approach"])]:
+                self.assertEqual(float(row[column]), value)
+        self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid)  # a list is no scene
+        self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--csv", "laws.csv", "--curve", "9")
+        self.assertIn("phi", self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--phi", "25,60", "--csv", "new.csv"))
+        self.assertFalse((self.directory / "new.csv").exists())
+
     def test_outside_the_data(self):
         for name, arguments in [("phi", ["--phi", "60"]), ("nu", ["--nu", "0.47"]),
                                 ("load", ["--load-level", "20000"])]:
