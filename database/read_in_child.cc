@@ -13,7 +13,7 @@ namespace dpcontact
 {
   namespace
   {
-    // A database reads at some 100 MB a second; the address space holds the program as well.
+    // A database reads at tens of MB a second; the address space holds the program as well.
     constexpr rlim_t                  least_seconds = 2, bytes_a_second = 1 << 20;
     [[maybe_unused]] constexpr rlim_t least_bytes = rlim_t(4) << 30, times_its_size = 16;
 
