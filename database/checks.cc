@@ -397,4 +397,15 @@ namespace dpcontact
       }
     return findings.sorted();
   }
+
+  void refuse_errors(const std::vector<Finding> &findings, const std::filesystem::path &file)
+  {
+    std::size_t count = 0;
+    while (count < findings.size() && findings[count].grade == Grade::error)
+      ++count;
+    if (count > 0)
+      throw CorruptData(file.string() + ", " + findings[0].where + ": " + findings[0].what +
+                        (count == 1 ? "" : ", and " + std::to_string(count - 1) + " more errors") +
+                        "; `dpcontact check` lists what is wrong, export or table makes it again");
+  }
 } // namespace dpcontact

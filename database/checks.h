@@ -37,9 +37,8 @@ namespace dpcontact
   /// The same of the universal table.
   std::vector<Finding> check(const UniversalTable &table);
 
-  /// What can be said of an HDF5 file whose digest does not hold: it is opened by a process of its
-  /// own only, with bounded time and memory, as HDF5 itself can crash on it.
-  std::string examine_damaged(const std::filesystem::path &file);
+  /// @throws CorruptData with the first error among the findings, and how many there are.
+  void refuse_errors(const std::vector<Finding> &findings, const std::filesystem::path &file);
 } // namespace dpcontact
 
 #endif

@@ -151,6 +151,56 @@ namespace dpcontact
       return value;
     }
 
+    /// x^y of one y for many x > 0, without the latency of a logarithm: x = 2^e c (1 + r) with the
+    /// nearest c = 1 + i/32, of which the powers stand in tables, and the binomial series of (1 +
+    /// r)^y. Relative error below 2⁻⁵⁰ for y ≤ 3 and 2⁻⁶⁴ ≤ x < 2⁶⁴, elsewhere power()'s.
+    class FixedPower
+    {
+    public:
+      explicit FixedPower(const double exponent)
+        : y(exponent)
+        , in_table(exponent <= 3 ? 2 * octaves : 0)
+      {
+        if (in_table == 0)
+          return;
+        double binomial = 1;
+        for (int k = 0; k < terms; ++k)
+          series[k] = binomial *= (y - k) / (k + 1);
+        for (int i = 0; i <= steps; ++i)
+          {
+            inverse[i]  = 1 / (1 + static_cast<double>(i) / steps);
+            fraction[i] = std::pow(1 + static_cast<double>(i) / steps, y);
+          }
+        for (int e = 0; e < 2 * octaves; ++e)
+          octave[e] = std::pow(std::exp2(e - octaves), y);
+      }
+
+      double operator()(const double x) const
+      {
+        constexpr std::uint64_t one = 0x3FF0000000000000u, part = 0x000FFFFFFFFFFFFFu;
+        std::uint64_t           bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        const std::uint64_t e = (bits >> 52) - (1023 - octaves);
+        if (e >= in_table)
+          return power(x, y);
+        const std::uint64_t i = ((bits & part) + (std::uint64_t(1) << 46)) >> 47;
+        const double r = (from_bits((bits & part) | one) - from_bits(one + (i << 47))) * inverse[i];
+        const double r2  = r * r;
+        const double sum = (series[0] + r * series[1] + r2 * (series[2] + r * series[3])) +
+                           r2 * r2 * (series[4] + r * series[5] + r2 * series[6]);
+        const double known = octave[e] * fraction[i];
+        return known + known * (r * sum);
+      }
+
+    private:
+      static constexpr int steps = 32, octaves = 64, terms = 7;
+
+      double        y;
+      std::uint64_t in_table;
+      double        series[terms] = {}, inverse[steps + 1] = {}, fraction[steps + 1] = {},
+             octave[2 * octaves] = {};
+    };
+
     /// (√J₂ + α I₁)√3/P₀ on the axis at depth u a under Hertz's pressure, regrouped so that nothing
     /// cancels, with t = u atan(1/u), κ = 1 − √3 α: (3/2)(1/(1+u²) − 3(1−t)) + (3(½−ν) +
     /// 2κ(1+ν))(1−t). Deep down by its series.
@@ -457,12 +507,18 @@ namespace dpcontact
       check_positive("the yield approach delta_y", row.approach_yield);
       check_positive("the effective radius R*", row.effective_radius);
       ContactLaw law;
-      law.a          = row.a;
-      law.b          = row.b;
-      law.m          = row.m;
-      law.n          = row.n;
-      law.steepness  = std::min(1., row.n / row.b);
-      law.width      = std::pow(row.a / row.m, 1 / row.n);
+      law.a         = row.a;
+      law.b         = row.b;
+      law.m         = row.m;
+      law.n         = row.n;
+      law.steepness = std::min(1., row.n / row.b);
+      law.width     = std::pow(row.a / row.m, 1 / row.n);
+      const auto powers =
+        std::make_shared<Powers>(Powers{contact_law_detail::FixedPower(row.b),
+                                        contact_law_detail::FixedPower(row.b / row.n),
+                                        contact_law_detail::FixedPower(row.n)});
+      law.powers     = powers.get();
+      law.owner      = powers;
       law.approach_y = law.approach_1 = row.approach_yield / row.effective_radius;
       law.force_y = law.force_1 = row.force_yield / row.effective_radius / row.effective_radius;
       law.find_strain_limit();
@@ -651,6 +707,12 @@ namespace dpcontact
       double f0, f1, f2, f3, n0, n1, r0, r1;
     };
 
+    /// Of a row: ξ^b, ξ^(b/n), ξ^n.
+    struct Powers
+    {
+      contact_law_detail::FixedPower loading, width, unloading;
+    };
+
     /// The bin that ξ ≥ 1 lies in, and how far, from 0 to 1.
     static std::pair<std::int64_t, double> place(const double xi)
     {
@@ -669,7 +731,7 @@ namespace dpcontact
     double loading(const double xi) const
     {
       if (!is_universal)
-        return a * contact_law_detail::power(xi, b);
+        return a * powers->loading(xi);
       if (xi <= 1)
         return xi * std::sqrt(xi);
       if (xi >= end.xi)
@@ -683,7 +745,7 @@ namespace dpcontact
       if (xi <= 1)
         return {xi > 0 ? loading(xi) : 0, 0, is_universal ? 1.5 : b};
       if (!is_universal)
-        return {loading(xi), xi - std::min(width * std::pow(xi, b / n), xi * steepness), n};
+        return {loading(xi), xi - std::min(width * powers->width(xi), xi * steepness), n};
       if (xi >= end.xi)
         return {loading(xi), end.residual * xi, end.exponent};
       const auto [i, t] = place(xi);
@@ -698,9 +760,9 @@ namespace dpcontact
       if (!is_universal)
         {
           // Without a clamp F_p need not be known.
-          const double w = width * contact_law_detail::power(peak, b / n), least = xi - peak;
+          const double w = width * powers->width(peak), least = xi - peak;
           if (w <= peak * steepness)
-            return w + least > 0 ? m * contact_law_detail::power(w + least, n) : 0;
+            return w + least > 0 ? m * powers->unloading(w + least) : 0;
         }
       const Branch at = branch(peak);
       const double z  = (xi - at.residual) / (peak - at.residual);
@@ -741,7 +803,8 @@ namespace dpcontact
         peak = state.peak_overlap = 0;
       double       force = 0;
       unsigned int flags = 0;
-      if (xi >= peak && xi > 0)
+      // Not of ξ, for which a processor would wait before it knows the branch.
+      if (overlap >= state.peak_overlap && overlap > 0)
         {
           peak               = xi;
           state.peak_overlap = overlap;
@@ -761,16 +824,17 @@ namespace dpcontact
       double xi, force, slope, exponent, residual; // residual over ξ
     };
 
-    bool       is_universal = false;
-    const Bin *bins         = nullptr;
-    double     a = 1, b = 1.5, m = 1, n = 1.5; // of a row
-    double     width = 1, steepness = 1;       // (a/m)^(1/n), min(1, n/b)
-    End        end{};
-    double     strain_limit = 0, table_end = std::numeric_limits<double>::infinity();
-    double     force_1 = 0, approach_1 = 0; // units of F and ξ, for R* = 1
-    double     force_y = 0, approach_y = 0; // F_y and δ_y for R* = 1
+    bool          is_universal = false;
+    const Bin    *bins         = nullptr;         // of a universal law
+    const Powers *powers       = nullptr;         // of a row
+    double        a = 1, b = 1.5, m = 1, n = 1.5; // of a row
+    double        width = 1, steepness = 1;       // (a/m)^(1/n), min(1, n/b)
+    End           end{};
+    double        strain_limit = 0, table_end = std::numeric_limits<double>::infinity();
+    double        force_1 = 0, approach_1 = 0; // units of F and ξ, for R* = 1
+    double        force_y = 0, approach_y = 0; // F_y and δ_y for R* = 1
 
-    std::shared_ptr<const std::vector<Bin>> owner;
+    std::shared_ptr<const void> owner; // of the bins or powers
   };
 
   /// A law with one R*.

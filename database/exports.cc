@@ -94,8 +94,10 @@ namespace dpcontact
             using T      = std::decay_t<decltype(target)>;
             if constexpr (std::is_same_v<T, std::string>)
               target = csv.text(column.name, i);
+            else if constexpr (std::is_same_v<T, double>)
+              target = csv.number(column.name, i);
             else
-              target = static_cast<T>(csv.number(column.name, i));
+              target = csv.count(column.name, i);
           },
           column.member);
     return database;

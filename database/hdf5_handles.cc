@@ -252,11 +252,13 @@ namespace dpcontact::hdf5
     const Handle      type(H5Dget_type(dataset), &H5Tclose, what);
     require(H5Sget_simple_extent_ndims(space) == 1, what);
     const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+    // Before memory is asked for.
+    const std::size_t width = H5Tget_size(type);
+    require(width > 0 && size <= H5Dget_storage_size(dataset) / width, what);
     if constexpr (std::is_same_v<T, std::string>)
       {
         require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0, what);
-        const std::size_t width = H5Tget_size(type);
-        std::string       cells(size * width, '\0');
+        std::string cells(size * width, '\0');
         require(H5Dread(dataset, text_type(width), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()) >=
                   0,
                 what);

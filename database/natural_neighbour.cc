@@ -79,8 +79,8 @@ namespace dpcontact
       {
         std::array<double, 3> x{};
         for (std::size_t i = 0; i < 3; ++i)
-          x[i] = std::clamp(
-            (point.*axes[i] - low.*axes[i]) / (high.*axes[i] - low.*axes[i]), margin, 1 - margin);
+          if (const double width = high.*axes[i] - low.*axes[i]; width > 0)
+            x[i] = std::clamp((point.*axes[i] - low.*axes[i]) / width, margin, 1 - margin);
         return {x[0], x[1], x[2]};
       }
 

@@ -88,7 +88,7 @@ namespace dpcontact
         algorithm.run();
         const OT::LinearModelResult result = algorithm.getResult();
         const OT::Point             values = result.getCoefficients();
-        const OT::Point             errors = result.getCoefficientsStandardErrors();
+        const OT::Point             spread = result.getDiagonalGramInverse();
         const OT::Basis             taken  = result.getBasis();
         Regression::Coefficient    &of     = regression.of[c];
         for (OT::UnsignedInteger k = 0; k < taken.getSize(); ++k)
@@ -96,13 +96,15 @@ namespace dpcontact
             if (taken[k].__str__() == basis[i].__str__())
               {
                 of.value[i]          = values[k];
-                of.standard_error[i] = errors[k];
+                of.standard_error[i] = std::sqrt(spread[k]); // times the residual, below
               }
         of.r_squared = result.getRSquared();
         double sum   = 0;
         for (const auto &row : table.rows)
           sum += std::pow(regression.at(row.point)[c] - row.published[c], 2);
         of.residual = std::sqrt(sum / static_cast<double>(n - values.getSize()));
+        for (double &error : of.standard_error)
+          error *= of.residual; // OpenTURNS' own divides the sum by n
       }
     return regression;
   }

@@ -3,6 +3,7 @@
 #include "database/digest.h"
 #include "database/files.h"
 #include "database/hdf5_handles.h"
+#include "database/read_in_child.h"
 #include "database/row_json.h"
 #include "database/schema.h"
 #include "database/text.h"
@@ -179,6 +180,12 @@ namespace dpcontact
   Database read_store(const fs::path &file)
   {
     check_digest(file);
+    // Whoever alters a file can renew its digest.
+    const ChildReading reading = read_in_child(file);
+    if (reading.code == ExitCode::settings_mismatch)
+      throw SettingsMismatch(reading.text);
+    if (reading.code != ExitCode::success)
+      throw CorruptData(reading.text);
     return read_store_unchecked(file);
   }
 

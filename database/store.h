@@ -35,12 +35,13 @@ namespace dpcontact
   /// @throws FileError where it cannot be written; an earlier file then stays as it was.
   void write_store(const std::filesystem::path &file, const Database &database);
 
-  /// Reads it back, after checking the digest of the whole file.
+  /// Reads it back, after the digest of the whole file has been checked and a process of its own
+  /// (read_in_child()) has read it without crashing.
   /// @throws FileError if it is missing or unreadable, CorruptData if it is truncated, altered, not
   /// ours or has no digest, SettingsMismatch if it has another schema version.
   Database read_store(const std::filesystem::path &file);
-  /// The same without the digest. HDF5 can crash on a damaged file: only for a process of its own
-  /// (examine_damaged()).
+
+  /// The same at once. HDF5 can crash on a damaged file: for read_in_child() only.
   Database read_store_unchecked(const std::filesystem::path &file);
 } // namespace dpcontact
 

@@ -102,16 +102,27 @@ namespace dpcontact
     return cells.at(row)[found->second];
   }
 
-  double CsvTable::number(const std::string &column, const std::size_t row) const
+  template <typename T>
+  T CsvTable::parsed(const std::string &column, const std::size_t row, const char *const what) const
   {
     const std::string &cell  = text(column, row);
-    double             value = 0;
+    T                  value = 0;
     const auto         end   = cell.data() + cell.size();
     const auto         found = std::from_chars(cell.data(), end, value);
     if (cell.empty() || found.ec != std::errc() || found.ptr != end)
       throw CorruptData(file + ": " + column + " in row " + std::to_string(row + 1) + ", '" + cell +
-                        "', is not a number");
+                        "', is not a " + what);
     return value;
+  }
+
+  double CsvTable::number(const std::string &column, const std::size_t row) const
+  {
+    return parsed<double>(column, row, "number");
+  }
+
+  std::uint64_t CsvTable::count(const std::string &column, const std::size_t row) const
+  {
+    return parsed<std::uint64_t>(column, row, "count");
   }
 
   fs::path digest_path_of(const fs::path &file) { return file.string() + ".sha256"; }

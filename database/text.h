@@ -1,6 +1,7 @@
 #ifndef DPCONTACT_DATABASE_TEXT_H
 #define DPCONTACT_DATABASE_TEXT_H
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -26,11 +27,16 @@ namespace dpcontact
     const std::vector<std::string> &comments() const { return comment; } ///< without "# "
     bool has(const std::string &column) const { return columns.count(column) == 1; }
 
-    /// @throws CorruptData where the column is missing or, of number(), the cell is none.
+    /// @throws CorruptData where the column is missing or, of number() and count(), the cell is
+    /// none.
     const std::string &text(const std::string &column, std::size_t row) const;
     double             number(const std::string &column, std::size_t row) const;
+    std::uint64_t      count(const std::string &column, std::size_t row) const;
 
   private:
+    template <typename T>
+    T parsed(const std::string &column, std::size_t row, const char *what) const;
+
     std::string                           file;
     std::vector<std::string>              comment;
     std::map<std::string, std::size_t>    columns;

@@ -1,8 +1,9 @@
 #include "runs/contact_law_input.h"
 
+#include "database/text.h"
 #include "meshing/errors.h"
 
-#include <fstream>
+#include <sstream>
 
 namespace dpcontact
 {
@@ -25,10 +26,7 @@ namespace dpcontact
 
   ContactTable read_universal_table(const std::string &file)
   {
-    std::ifstream stream(file);
-    if (!stream)
-      throw FileError("cannot read the universal table '" + file +
-                      "': check the path and its permissions");
+    std::istringstream stream(read_with_digest(file));
     try
       {
         return ContactTable::read(stream);

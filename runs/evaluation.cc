@@ -159,6 +159,7 @@ namespace dpcontact
                                             LookupMethod::regression,
                                             LookupMethod::table_2};
     const MaterialTable             rows = MaterialTable::from_rows(read_database(evaluation.rows));
+    const UniversalTable            universal = UniversalTable::read(evaluation.universal);
     const Json held_out = Json::parse(read_file(evaluation.held_out), nullptr, false);
     if (held_out.is_discarded())
       throw CorruptData(evaluation.held_out.string() + " is not JSON");
@@ -223,7 +224,7 @@ namespace dpcontact
           }
         document["held_out"][to_string(methods[k])] = errors.json();
       }
-    document["similarity"] = compare_held_out(UniversalTable::read(evaluation.universal), held_out);
+    document["similarity"] = compare_held_out(universal, held_out);
     return document;
   }
 

@@ -1,5 +1,6 @@
 #include "runs/lookup.h"
 
+#include "database/checks.h"
 #include "database/exports.h"
 #include "database/text.h"
 #include "fitting/curve_fit.h"
@@ -170,9 +171,12 @@ namespace dpcontact
     if (method == LookupMethod::similarity)
       {
         content->universal = UniversalTable::read(database);
+        refuse_errors(check(*content->universal), database);
         return;
       }
-    content->materials = MaterialTable::from_rows(read_database(database));
+    const Database rows = read_database(database);
+    refuse_errors(check(rows), database);
+    content->materials = MaterialTable::from_rows(rows);
     content->estimator =
       method == LookupMethod::kriging             ? make_kriging(content->materials)
       : method == LookupMethod::natural_neighbour ? make_natural_neighbour(content->materials)
@@ -206,6 +210,21 @@ namespace dpcontact
 
   namespace
   {
+    /// Without what is not known: numbers that are not set, empty texts, and what holds no other.
+    Json known(const Json &whole)
+    {
+      Json part = Json::object();
+      for (const auto &[name, value] : whole.items())
+        if (value.is_object())
+          {
+            if (Json inner = known(value); !inner.empty())
+              part[name] = std::move(inner);
+          }
+        else if (!(value.is_number_float() && std::isnan(value.get<double>())) && value != "")
+          part[name] = value;
+      return part;
+    }
+
     Json by_name(const std::array<double, 4> &values)
     {
       return {{"a", values[0]}, {"b", values[1]}, {"m", values[2]}, {"n", values[3]}};
@@ -287,6 +306,7 @@ namespace dpcontact
                                        {"numerical", by_name(result.parts[1])},
                                        {"finite_radius", by_name(result.parts[2])},
                                        {"power_law_misfit", by_name(result.parts[3])}};
+    document = known(document);
     if (curve_points > 0)
       document["curve"] = curve_json(result, curve_points);
     return document;
@@ -315,5 +335,50 @@ namespace dpcontact
            length(result.residual_approach) + " +- " +
            length(result.residual_approach_uncertainty) + ", by eq (18) " +
            length(result.residual_eq18) + "\n";
+  }
+
+  std::string lookup_csv(const std::vector<std::pair<Case, LookupResult>> &answers)
+  {
+    std::string text =
+      "# Force laws of like spheres: F/F_y = a (delta/delta_y)^b, unloading F/F_y = m ((delta - "
+      "delta_res)/delta_y)^n.\n"
+      "# Of *_published delta_y is that of one sphere. Quantities in SI, angles in degrees.\n"
+      "method,E_Pa,nu,phi_deg,sigma_c_Pa,radius_m,force_max_N,load_level,force_yield_N,"
+      "approach_yield_m,a,b,m,n,a_uncertainty,b_uncertainty,m_uncertainty,n_uncertainty,"
+      "a_published,m_published,a_published_uncertainty,m_published_uncertainty,approach_peak_m,"
+      "approach_peak_uncertainty_m,approach_residual_m,approach_residual_uncertainty_m\n";
+    for (const auto &[input, found] : answers)
+      {
+        text += to_string(found.method);
+        const auto &c = found.coefficients, &u = found.uncertainty;
+        for (const double value : {input.material.youngs_modulus,
+                                   input.material.poisson_ratio,
+                                   input.friction_angle_degrees,
+                                   input.material.compressive_strength,
+                                   input.scene.radius,
+                                   input.scene.force_max,
+                                   found.load_level,
+                                   found.yield.force,
+                                   found.yield.approach,
+                                   c[0],
+                                   c[1],
+                                   c[2],
+                                   c[3],
+                                   u[0],
+                                   u[1],
+                                   u[2],
+                                   u[3],
+                                   found.published[0],
+                                   found.published[2],
+                                   found.published_uncertainty[0],
+                                   found.published_uncertainty[2],
+                                   found.peak_approach,
+                                   found.peak_approach_uncertainty,
+                                   found.residual_approach,
+                                   found.residual_approach_uncertainty})
+          text += std::isnan(value) ? "," : "," + number_text(value);
+        text += '\n';
+      }
+    return text;
   }
 } // namespace dpcontact

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dpcontact
@@ -63,10 +64,14 @@ namespace dpcontact
     std::unique_ptr<Content> content;
   };
 
-  /// The objects `material`, `scene`, `yield`, `fit`, `published_convention` of solve's document,
-  /// and `uncertainty`.
+  /// The objects `material`, `scene`, `yield`, `fit`, `published_convention` of solve's document
+  /// without what a table cannot know, `uncertainty` and others.
   Json        lookup_json(const Case &input, const LookupResult &result, unsigned int curve_points);
   std::string describe(const Case &input, const LookupResult &result);
+
+  /// One line an answer: inputs, a, b, m, n in both conventions with their uncertainties, F_y, δ_y,
+  /// peak and residual approach; lines that begin with `#` give units. What is not known is empty.
+  std::string lookup_csv(const std::vector<std::pair<Case, LookupResult>> &answers);
 } // namespace dpcontact
 
 #endif

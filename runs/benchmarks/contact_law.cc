@@ -56,44 +56,66 @@ namespace
 
   void hertz(benchmark::State &state)
   {
-    const std::vector<double> delta = overlaps(*universal, bed);
-    double k = universal->force_yield(radius) / std::pow(universal->approach_yield(radius), 1.5);
-    benchmark::DoNotOptimize(k);
+    const std::vector<double> delta    = overlaps(*universal, bed);
+    const double              approach = universal->approach_yield(radius);
+    const std::vector<double> k(contacts,
+                                universal->force_yield(radius) / approach / std::sqrt(approach));
     for (auto _ : state)
       {
         double sum = 0;
-        for (const double x : delta)
-          sum += x > 0 ? k * x * std::sqrt(x) : 0;
+        for (std::size_t i = 0; i < delta.size(); ++i)
+          sum += delta[i] > 0 ? k[i % contacts] * delta[i] * std::sqrt(delta[i]) : 0;
         benchmark::DoNotOptimize(sum);
       }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(delta.size()));
   }
 
+  /// Where the constants of a contact come from.
+  enum Constants
+  {
+    one_pair,   ///< one for all
+    own_pairs,  ///< a ContactPair for each
+    own_radius, ///< computed in the call from R*
+  };
+
   void contact(benchmark::State &state,
                const bool        is_universal,
                const Pattern     pattern,
-               const bool        own_radius)
+               const Constants   constants)
   {
     const ContactLaw         &of    = law(is_universal);
-    const ContactPair         pair  = of.pair(radius);
+    const ContactPair         one   = of.pair(radius);
     const std::vector<double> delta = overlaps(of, pattern);
     const ContactState        start{pattern == unloading ? 100 * of.approach_yield(radius) : 0};
     std::vector<ContactState> states(contacts, start);
-    double                    r = radius;
-    benchmark::DoNotOptimize(r);
-    for (auto _ : state)
-      {
-        double sum = 0;
-        for (std::size_t i = 0; i < delta.size(); ++i)
-          {
-            ContactState &own = states[i % contacts];
-            if (pattern == loading || (pattern == bed && i < contacts))
-              own = start;
-            sum +=
-              own_radius ? of.evaluate(delta[i], r, own).force : pair.evaluate(delta[i], own).force;
-          }
-        benchmark::DoNotOptimize(sum);
-      }
+    // Vectors, as the compiler must not know the values.
+    const std::vector<double>      radii(contacts, radius);
+    const std::vector<ContactPair> pairs(constants == own_pairs ? contacts : 0, one);
+    const auto                     run = [&](const auto &force) {
+      for (auto _ : state)
+        {
+          double sum = 0;
+          for (std::size_t i = 0; i < delta.size(); ++i)
+            {
+              ContactState &own = states[i % contacts];
+              if (pattern == loading || (pattern == bed && i < contacts))
+                own = start;
+              sum += force(i % contacts, delta[i], own);
+            }
+          benchmark::DoNotOptimize(sum);
+        }
+    };
+    if (constants == one_pair)
+      run(
+        [&](std::size_t, const double x, ContactState &own) { return one.evaluate(x, own).force; });
+    else if (constants == own_pairs)
+      run([&](const std::size_t i, const double x, ContactState &own) {
+        return pairs[i].evaluate(x, own).force;
+      });
+    else
+      run([&](const std::size_t i, const double x, ContactState &own) {
+        return of.evaluate(x, radii[i], own).force;
+      });
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(delta.size()));
   }
 
@@ -120,13 +142,14 @@ int main(int argc, char **argv)
   for (const bool kind : {true, false})
     {
       const std::string name = kind ? "universal/" : "row/";
-      const auto        add  = [&](const char *what, const Pattern pattern, const bool own) {
-        benchmark::RegisterBenchmark((name + what).c_str(), contact, kind, pattern, own);
+      const auto        add  = [&](const char *what, const Pattern pattern, const Constants from) {
+        benchmark::RegisterBenchmark((name + what).c_str(), contact, kind, pattern, from);
       };
-      add("loading", loading, false);
-      add("unloading", unloading, false);
-      add("bed", bed, false);
-      add("bed_of_any_radii", bed, true);
+      add("loading", loading, one_pair);
+      add("unloading", unloading, one_pair);
+      add("bed", bed, one_pair);
+      add("bed_of_own_pairs", bed, own_pairs);
+      add("bed_of_any_radii", bed, own_radius);
     }
   benchmark::RegisterBenchmark("construction", construction, table);
   benchmark::RunSpecifiedBenchmarks();

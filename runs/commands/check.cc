@@ -1,6 +1,7 @@
 #include "database/checks.h"
 #include "database/exports.h"
 #include "database/files.h"
+#include "database/read_in_child.h"
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
@@ -37,9 +38,10 @@ namespace dpcontact::commands
         {
           if (file.extension() == ".csv")
             throw;
-          throw CorruptData(
-            std::string(error.what()) +
-            ". Read all the same, in a process of its own: " + examine_damaged(file));
+          const ChildReading reading = read_in_child(file);
+          throw CorruptData(std::string(error.what()) +
+                            ". Read all the same, in a process of its own: " + reading.text +
+                            (reading.code == ExitCode::success ? ", which may be wrong" : ""));
         }
       return check(read_database(file));
     }

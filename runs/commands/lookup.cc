@@ -1,5 +1,7 @@
 #include "runs/lookup.h"
 
+#include "database/files.h"
+#include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 
@@ -16,21 +18,41 @@ namespace dpcontact::commands
       std::string  parameter_file;
       std::string  method = "similarity";
       std::string  database;
-      std::string  curve;
+      std::string  curve, csv;
       bool         extrapolate = false;
       bool         json        = false;
     };
 
+    /// Every combination of the lists given, one line each.
+    ExitCode write_grid(const Options &options, const LookupTable &table)
+    {
+      if (!options.curve.empty())
+        throw InputError("lookup: a curve is of one scene; leave --curve or --csv out");
+      std::vector<std::pair<Case, LookupResult>> answers;
+      for (const Case &input :
+           read_grid(merged(options.parameter_file, scene_settings(), options.texts)))
+        answers.emplace_back(
+          input, table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse));
+      write_file(options.csv, lookup_csv(answers));
+      if (options.json)
+        print_document({{"csv", options.csv}, {"rows", answers.size()}});
+      else
+        std::cout << options.csv << ": " << answers.size() << " rows\n";
+      return ExitCode::success;
+    }
+
     ExitCode run(const Options &options)
     {
-      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
       const LookupMethod method = parse_lookup_method(options.method);
       const unsigned int points = options.curve.empty() ? 0 : parse_count("curve", options.curve);
       if (points > 100000)
         throw InputError("curve is " + options.curve + "; it must be at most 100000 points");
-      const LookupTable  table(method,
+      const LookupTable table(method,
                               options.database.empty() ? default_database(method)
-                                                        : std::filesystem::path(options.database));
+                                                       : std::filesystem::path(options.database));
+      if (!options.csv.empty())
+        return write_grid(options, table);
+      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
       const LookupResult result =
         table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse);
       if (options.json)
@@ -67,6 +89,10 @@ namespace dpcontact::commands
       ->type_name("FILE");
     command->add_option("--curve", options->curve, "print N points of either branch as well")
       ->type_name("N");
+    command
+      ->add_option(
+        "--csv", options->csv, "table to write, one line for every combination of the lists given")
+      ->type_name("FILE");
     command->add_flag("--extrapolate", options->extrapolate, "answer outside the data as well");
     add_parameter_file(*command, options->parameter_file);
     add_json_flag(*command, options->json);

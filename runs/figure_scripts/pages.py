@@ -28,6 +28,17 @@ class Pages:
         """(figure, axes); save() gives it its name."""
         return plt.subplots(1, columns, figsize=(width, height))
 
+    def space_and_lines(self, count):
+        """(figure, axes in space, axes of lines beside them ...)"""
+        figure = plt.figure(figsize=(6.2 + 2.9 * count, 4.2))
+        # The second column is room for the labels of the third axis.
+        grid = list(figure.add_gridspec(1, 2 + count, width_ratios=[2.1, .05] + [1] * count, wspace=.28))
+        return figure, figure.add_subplot(grid[0], projection="3d"), *map(figure.add_subplot, grid[2:])
+
+    def colours(self, values):
+        """From values to colours, for faces and their bar."""
+        return plt.cm.ScalarMappable(plt.Normalize(values.min(), values.max()), "viridis")
+
     def save(self, figure, name):
         figure.savefig(self.directory / f"{name}.png")
         plt.close(figure)

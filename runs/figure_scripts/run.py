@@ -6,6 +6,7 @@ import pathlib
 import claims
 import dilation
 import force_displacement
+import interpolation
 import pages
 import sandstone
 import solves
@@ -18,6 +19,7 @@ PARTS = {
     "figure_4": surfaces.figure_4,
     "figure_5": sandstone.figure_5,
     "figure_6": steel.figure_6,
+    "figures_7_10": interpolation.figures_7_10,
     "figures_11_12": force_displacement.figures_11_12,
     "section_3_4": claims.section_3_4,
     "dilation": dilation.dilation,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <sstream>
 
 namespace
@@ -59,6 +60,33 @@ namespace
     const YieldScales type_2 = yield_scales({10e9, .25, 35, 25e6});
     EXPECT_NEAR(type_2.force * half_radius * half_radius, 84.450, 5e-4);
     EXPECT_NEAR(type_2.approach * half_radius / 2, 7.06e-6, 5e-9);
+  }
+
+  TEST(contact_law, powers_of_a_row_are_the_librarys)
+  {
+    // Against long double. 2⁻⁵⁰ is the header's bound: three roundings and the tables'. Outside the
+    // tables x^y comes from its logarithm, whose rounding the exponent multiplies.
+    std::mt19937_64                        random(11);
+    std::uniform_real_distribution<double> uniform;
+    for (const double y : {.2, .7, .95, 1., 1.2408, 1.4643, 1.5, 2.6, 3., 7.5})
+      {
+        const contact_law_detail::FixedPower power(y);
+        const auto                           expect_close = [&](const double x) {
+          const bool        in_table = y <= 3 && x >= 0x1p-64 && x < 0x1p64;
+          const double      log2     = std::abs(y * std::log2(x));
+          const long double exact =
+            std::pow(static_cast<long double>(x), static_cast<long double>(y));
+          EXPECT_LE(std::abs(static_cast<double>((power(x) - exact) / exact)),
+                    in_table ? 0x1p-50 : 0x1p-52 * (2 + log2))
+            << x << "^" << y;
+        };
+        for (int k = 0; k < 100000; ++k)
+          expect_close(std::exp2(160 * uniform(random) - 80));
+        for (double x = .5; x < 4; x += 1. / 64) // the table's nodes, and where it changes node
+          for (const double at : {std::nextafter(x, 0.), x, std::nextafter(x, 5.)})
+            expect_close(at);
+        EXPECT_EQ(power(1), 1);
+      }
   }
 
   TEST(contact_law, row_is_eqs_16_to_18)
@@ -248,9 +276,9 @@ namespace
 
   TEST(contact_law, goes_on_beyond_the_table_and_says_so)
   {
-    const ContactLaw      law   = ContactLaw::universal(rock_of(.2, 30), small_table());
+    const ContactLaw    law   = ContactLaw::universal(rock_of(.2, 30), small_table());
     const ContactTable &table = small_table();
-    const double          end   = table.approach[table.index(1, 1, table.load_level.size() - 1)] *
+    const double        end   = table.approach[table.index(1, 1, table.load_level.size() - 1)] *
                        law.approach_yield(half_radius);
     ContactState state;
     EXPECT_FALSE(law.evaluate(.9999 * end, half_radius, state).flags & contact_extrapolated);
@@ -326,7 +354,7 @@ namespace
       std::istringstream stream(csv);
       return ContactTable::read(stream);
     };
-    const std::string    good  = text.str();
+    const std::string  good  = text.str();
     const ContactTable table = read(good);
     EXPECT_EQ(table.nu, (std::vector<double>{.1, .2}));
     EXPECT_EQ(table.phi, std::vector<double>{30});

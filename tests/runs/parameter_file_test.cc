@@ -1,5 +1,6 @@
 #include "meshing/errors.h"
 #include "runs/parameter_file.h"
+#include "solver/first_yield.h"
 
 #include <gtest/gtest.h>
 
@@ -141,5 +142,53 @@ namespace
       {
         EXPECT_EQ(std::string(error.what()).rfind("sigma-c is missing", 0), 0U) << error.what();
       }
+  }
+
+  TEST_F(ParameterFile, load_level_is_a_force_over_that_of_first_yield)
+  {
+    for (const std::string radius : {"0.1m", "3mm"})
+      {
+        const auto cases = read_grid(
+          read("set E = 10GPa\nset nu = 0.2, 0.3\nset phi = 30\nset sigma-c = 5MPa\nset radius = " +
+               radius + "\nset load-level = 0.5, 20, 1e3\n"));
+        ASSERT_EQ(cases.size(), 6U);
+        const double levels[] = {.5, 20, 1e3};
+        for (std::size_t i = 0; i < cases.size(); ++i)
+          {
+            EXPECT_EQ(cases[i].material.poisson_ratio, i < 3 ? .2 : .3)
+              << "the last varies fastest";
+            // F_y of that row's own material and radius.
+            const double force = first_yield(cases[i].material, cases[i].scene.radius).force;
+            EXPECT_NEAR(cases[i].scene.force_max / force, levels[i % 3], 1e-12 * levels[i % 3]);
+          }
+      }
+    // Whatever the strength is given by.
+    const Case metal = read_case(read("set criterion = von-mises\nset E = 193GPa\nset nu = 0.25\n"
+                                      "set yield-stress = 255MPa\nset load-level = 7\n"));
+    EXPECT_NEAR(metal.scene.force_max,
+                7 * first_yield(metal.material, metal.scene.radius).force,
+                1e-9 * metal.scene.force_max);
+  }
+
+  TEST_F(ParameterFile, load_level_takes_the_place_of_a_force)
+  {
+    const auto refused = [&](const std::string &more, const std::string &part) {
+      try
+        {
+          read_grid(read(material + more));
+          ADD_FAILURE() << more;
+        }
+      catch (const InputError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+    };
+    refused("set load-level = 3\nset force-max = 50N\n", "load-level and force-max");
+    refused("set load-level = 0\n", "force");
+    refused("set load-level = -3\n", "force");
+    refused("set load-level = 3, 3\n", "load-level");
+    EXPECT_THROW(read_case(read(material + "set load-level = 3, 4\n")), InputError);
+    EXPECT_EQ(complaint("set load-level = 3N\n"),
+              at_line(1) + "load-level: '3N' is not a number without unit");
   }
 } // namespace

@@ -41,6 +41,23 @@ class Sweep(grids.TestCase):
         grids.wait_for_end(f"{self.directory}")  # the workers end with it
         return running
 
+    def test_load_levels_instead_of_forces(self):
+        grid = self.write("levels.prm", "set E = 10GPa, 20GPa\nset nu = 0.2\nset phi = 30\nset sigma-c = 20MPa\n"
+                          "set radius = 3mm\nset load-level = 0.5, 5, 50\nset resolution = 12\nset step-tolerance = 1e-2\n")
+        self.succeed("sweep", grid, "--database", "levels.h5")
+        rows = self.table("levels.h5")
+        self.assertEqual([round(float(row["load_level"]), 12) for row in rows], [.5, 5, 50] * 2)
+        for row in rows:
+            self.assertAlmostEqual(float(row["force_max_N"]) / float(row["force_yield_N"]) / float(row["load_level"]), 1,
+                                   delta=1e-12)
+        # Equal nu, phi and load level: the same law by similarity, at another F_y.
+        for soft, stiff in zip(rows[:3], rows[3:]):
+            self.assertNotAlmostEqual(float(soft["force_yield_N"]) / float(stiff["force_yield_N"]), 1, delta=.1)
+            for name in "abmn":
+                self.assertAlmostEqual(float(soft[name]) / float(stiff[name]), 1, delta=1e-6)
+        message = self.fail_with(BAD_INPUT, "sweep", grid, "--force-max", "5N", "--database", "levels.h5")
+        self.assertIn("load-level and force-max", message)
+
     def test_kill_and_resume_gives_the_same_rows(self):
         self.succeed(*self.arguments, "calm.h5")
         calm = self.table("calm.h5")

@@ -58,6 +58,87 @@ class Lookup(program.TestCase):
             else:
                 self.assertAlmostEqual(found["published_convention"]["a"], value, delta=1e-9)
 
+    def test_objects_are_those_of_solve(self):
+        def shape(solved, found, path):
+            """Every name of `found` is one of `solved`, with a value of the same kind."""
+            for name, value in found.items():
+                self.assertIn(name, solved, path)
+                self.assertIs(type(value), type(solved[name]), path + [name])
+                if isinstance(value, dict):
+                    shape(solved[name], value, path + [name])
+
+        def empty(document):
+            values = document.values() if isinstance(document, dict) else document
+            return any(value in (None, "", {}, []) or isinstance(value, (dict, list)) and empty(value)
+                       for value in values)
+
+        solved = self.document("solve", *TYPE_1)
+        for method in ["similarity", "kriging", "natural-neighbour", "regression", "table-2"]:
+            found = self.lookup(*TYPE_1, "--method", method, "--curve", 20)
+            with self.subTest(method):
+                self.assertFalse(empty(found), found)
+                for name in ["material", "scene", "yield"]:
+                    self.assertEqual(found[name], solved[name])
+                for name in ["fit", "published_convention"]:
+                    shape(solved[name], found[name], [name])
+                self.assertEqual(sorted(found["published_convention"]), sorted(solved["published_convention"]))
+                self.assertEqual(found["published_convention"]["approach_yield"],
+                                 solved["published_convention"]["approach_yield"])
+                if method == "table-2":  # the paper says nothing of its own
+                    self.assertFalse([name for name in found if "uncertainty" in name and "yield" not in name])
+                else:
+                    for name in NAMES:
+                        self.assertGreater(found["uncertainty"][name], 0)
+                        self.assertGreater(found["published_uncertainty"][name], 0)
+                    self.assertGreater(found["residual_approach_uncertainty"], 0)
+                    self.assertGreater(found["peak"]["approach_uncertainty"], 0)
+                for name in ["a", "m"]:
+                    exponent = found["fit"]["b" if name == "a" else "n"]
+                    self.assertAlmostEqual(found["published_convention"][name],
+                                           found["fit"][name] * 2 ** -exponent, delta=1e-12)
+                self.assertGreater(min(found["yield_uncertainty"].values()), 0)
+                loading, unloading = (found["curve"][name] for name in ("loading", "unloading"))
+                self.assertEqual((len(loading), len(unloading)), (21, 21))
+                # By similarity the loading curve is the master curve, which is known better than its fit.
+                tolerance = 1e-9 if method == "similarity" else 1e-6
+                self.assertAlmostEqual(loading[-1]["force"] / 100, 1, delta=tolerance)
+                self.assertAlmostEqual(unloading[0]["approach"] / loading[-1]["approach"], 1, delta=1e-12)
+                self.assertEqual(unloading[-1]["force"], 0)
+        # What both know is the same within what both say; type 1 is between the table's nodes.
+        found = self.lookup(*TYPE_1)
+        for name in NAMES:
+            self.assertAlmostEqual(found["fit"][name], solved["fit"][name],
+                                   delta=found["uncertainty"][name] + solved["error"][name]["total"])
+        self.assertNotIn("curve", found)
+
+    def test_lists_make_a_table(self):
+        grid = self.write("grid.prm", "set E = 10GPa, 20GPa\nset nu = 0.15\nset phi = 25, 37\nset sigma-c = 15MPa\n")
+        for method in ["similarity", "regression", "table-2"]:
+            self.succeed("lookup", "--parameter-file", grid, "--method", method, "--csv", "laws.csv")
+            with open(self.directory / "laws.csv", encoding="utf-8") as stream:
+                rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+            self.assertEqual([(float(row["E_Pa"]), float(row["phi_deg"])) for row in rows],
+                             [(1e10, 25), (1e10, 37), (2e10, 25), (2e10, 37)])
+            single = self.lookup("--E", "20GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa", "--method", method)
+            row = rows[2]
+            self.assertEqual(row["method"], method)
+            for name in NAMES:
+                self.assertEqual(float(row[name]), single["fit"][name])
+                uncertainty = single.get("uncertainty", {}).get(name)
+                self.assertEqual(float(row[f"{name}_uncertainty"] or "nan") if uncertainty else row[f"{name}_uncertainty"],
+                                 uncertainty or "")
+            for column, value in [("a_published", single["published_convention"]["a"]),
+                                  ("m_published", single["published_convention"]["m"]),
+                                  ("force_yield_N", single["yield"]["force"]),
+                                  ("approach_yield_m", single["yield"]["approach"]),
+                                  ("load_level", single["load_level"]),
+                                  ("approach_residual_m", single["residual_approach"])]:
+                self.assertEqual(float(row[column]), value)
+        self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid)  # a list is no scene
+        self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--csv", "laws.csv", "--curve", "9")
+        self.assertIn("phi", self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--phi", "25,60", "--csv", "new.csv"))
+        self.assertFalse((self.directory / "new.csv").exists())
+
     def test_outside_the_data(self):
         for name, arguments in [("phi", ["--phi", "60"]), ("nu", ["--nu", "0.47"]),
                                 ("load", ["--load-level", "20000"])]:

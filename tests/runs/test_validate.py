@@ -1,6 +1,7 @@
 """dpcontact validate and collide, end to end; the program is the first argument."""
 
 import csv
+import hashlib
 import json
 import math
 import os
@@ -79,11 +80,16 @@ class Validate(unittest.TestCase):
         self.assertLess(universal["errors"]["unloading_rms"], .01)
 
     def test_what_is_wrong_is_named(self):
+        directory = pathlib.Path(self.directory)
+        content = (directory / "grid.prm").read_bytes()
+        (directory / "signed.prm").write_bytes(content)
+        (directory / "signed.prm.sha256").write_text(f"{hashlib.sha256(content).hexdigest()}  signed.prm\n", encoding="utf-8")
         for words, code, message in [
                 ((), 3, "give a DATABASE, --histories, or both"),
                 (("rows.h5", "--table", "nowhere.csv"), 4, "nowhere.csv"),
                 (("nowhere.h5",), 4, "nowhere.h5"),
-                (("rows.h5", "--table", "grid.prm"), 7, "the header lacks the column")]:
+                (("rows.h5", "--table", "grid.prm"), 7, "grid.prm.sha256 is missing"),
+                (("rows.h5", "--table", "signed.prm"), 7, "the header lacks the column")]:
             with self.subTest(words):
                 result = run(self.directory, "validate", *words)
                 self.assertEqual(result.returncode, code, result.stderr)
