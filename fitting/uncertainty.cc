@@ -36,8 +36,9 @@ namespace dpcontact
                                           {1e-5, .0021, 1},
                                           {1e-5, .0001, .5}};
     // In space. Quadratic elements, four across the contact: to fall with the square of their
-    // number; six and eight leave less. Bricks: the rings' angles, which the resolution does not
-    // change, leave most, a level a quarter of it (measured on Hertz's approach: 1.0 and 0.25 %).
+    // number; six and eight leave less. Bricks: from eight across the contact on the rings' angles,
+    // which the resolution does not change, leave most, a level a quarter of it (measured on
+    // Hertz's approach: 1.0 and 0.25 %).
     // One and a half times the largest of three materials' (Λ = 1.2, 11 and 392) against
     // axisymmetry, equal steps.
     constexpr Growth quadratic_mesh_error[] = {{.004, .15, 1},
@@ -118,7 +119,7 @@ namespace dpcontact
           if (used.element == Element::quadratic_full)
             return quadratic_mesh_error[c].at(excess) * std::pow(4 / across, 2);
           if (used.element == Element::linear_mean_dilatation)
-            return brick_mesh_error[c] / (refined * refined);
+            return brick_mesh_error[c] * std::pow(std::max(1., 8. / used.resolution) / refined, 2);
         }
       else if (used.mesh == MeshKind::fitted && used.element == Element::serendipity_reduced)
         return mesh_error[c].at(excess) * 40 / across;
@@ -157,6 +158,14 @@ namespace dpcontact
         parts.far_field =
           value * far_field_error[c].at(excess) * std::pow(200 / used.domain_radius, 2);
       }
+    // a and m stand for the curve at δ_y. Where it does not reach that far, they carry the error of
+    // its exponent along.
+    const double beyond = std::log(std::max(1., fit.approach_yield / fit.approach_max));
+    if (beyond > 0 && !closed)
+      for (const unsigned int c : {0u, 2u})
+        for (double ErrorParts::*part :
+             {&ErrorParts::mesh, &ErrorParts::step, &ErrorParts::contact, &ErrorParts::far_field})
+          errors[c].*part += std::abs(values[c]) * beyond * errors[c + 1].*part;
     return errors;
   }
 } // namespace dpcontact

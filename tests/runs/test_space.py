@@ -38,7 +38,7 @@ class Space(program.TestCase):
     def test_sector_and_disc_agree_with_axisymmetry(self):
         """Within the sum of the stated errors, of which the step's is common to all."""
         steps = ["--loading-steps", "16", "--extrapolation", "off"]
-        elastic = ["--E", "10GPa", "--nu", "0.2", "--phi", "30", "--sigma-c", "1GPa",
+        elastic = ["--E", "10GPa", "--nu", "0.25", "--phi", "35", "--sigma-c", "30MPa",
                    "--closed-form", "off"]
         sector = ["--geometry", "sector", "--resolution", "4"]
         disc = ["--geometry", "disc", "--element", "brick", "--resolution", "4"]
@@ -55,7 +55,7 @@ class Space(program.TestCase):
                                 for part in parts), name)
                     self.assertAlmostEqual(
                         space["peak"]["approach"] / plane["peak"]["approach"], 1,
-                        delta=2e-3 if geometry is sector else 1.5e-2)
+                        delta=2e-3 if geometry is sector else 2.5e-2)
                     self.assertGreater(space["axisymmetry_deviation"], 0)
                     self.assertLess(space["axisymmetry_deviation"], .02)
 
@@ -109,9 +109,11 @@ class Space(program.TestCase):
         self.assertEqual(rigid["scene"]["second"], {"radius": "flat", "rigid": True})
 
     def test_what_does_not_go_together_is_refused(self):
-        self.assertIn("serendipity", self.fail_with(BAD_INPUT, *SMALL, "--element", "serendipity"))
+        self.assertIn("serendipity", self.fail_with(BAD_INPUT, "solve", *ROCK, "--geometry",
+                                                     "sector", "--element", "serendipity"))
         self.assertIn("nu-2", self.fail_with(BAD_INPUT, *SMALL, "--E-2", "rigid", "--nu-2", ".2"))
-        self.assertIn("sector-angle", self.fail_with(BAD_INPUT, *SMALL, "--sector-angle", "30"))
+        self.assertIn("sector-angle", self.fail_with(BAD_INPUT, "solve", *ROCK, "--geometry",
+                                                      "sector", "--sector-angle", "30"))
         result = self.ranks(2, "solve", *ROCK)
         self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
         self.assertIn("axisymmetric", result.stderr)
