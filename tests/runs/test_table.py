@@ -81,6 +81,31 @@ class Evaluate(program.TestCase):
         left_out = found["leave_one_out"]
         self.assertLess(left_out["similarity"]["rms"]["m"], left_out["regression"]["rms"]["m"])
 
+    def test_held_out_materials(self):
+        """The claims on the universal table, on curves computed after it had been settled."""
+        found = self.document("evaluate", "--held-out-only")["summary"]
+        self.assertGreaterEqual(found["materials"], 50)
+        self.assertLess(found["loading"]["rms"], .003)
+        self.assertLess(found["unloading"]["rms"], .005)
+        for name in NAMES:
+            with self.subTest(coefficient=name):
+                self.assertGreaterEqual(found[name]["compared"], 40)
+                self.assertLess(found[name]["median"], .003)
+                self.assertGreaterEqual(found[name]["covered"], .9)
+                self.assertLess(found[name]["median_ratio"], 4)
+                # apart from the error: how well a power law describes the curve at all
+                self.assertGreater(found[name]["misfit_median"], 0)
+
+    def test_held_out_materials_are_not_those_of_the_calibration(self):
+        documents = [json.loads((DATABASE.parent / "runs" / name).read_text(encoding="utf-8"))
+                     for name in ("held_out.json", "held_out_calibration.json")]
+        verified, calibrated = ([row["material"] for part in ("box", "paper") for row in each[part]]
+                                for each in documents)
+        self.assertFalse([material for material in verified if material in calibrated])
+        nodes = {(row["nu"], row["phi_deg"]) for row in table("universal.csv")}
+        self.assertFalse([material for material in verified
+                          if (str(material["nu"]), str(material["phi"])) in nodes])
+
 
 class Check(program.TestCase):
     def test_shipped_tables_are_right(self):
