@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <unistd.h>
 
@@ -74,14 +75,14 @@ namespace dpcontact
         for (const double phi : phis)
           for (const double level : load_levels())
             {
-              UniversalNode node = truth(nu, phi, level);
-              const double moved = scatter * normal(random);
-              const double ln_w  = std::log(node.approach - node.residual_approach);
+              UniversalNode node  = truth(nu, phi, level);
+              const double  moved = scatter * normal(random);
+              const double  ln_w  = std::log(node.approach - node.residual_approach);
               node.n += moved;
               node.m *= std::exp(-moved * ln_w); // the force at the peak stays
               node.n_error = 4 * scatter;
               node.m_error = node.n_error * node.m * std::abs(ln_w);
-              separator = "\n";
+              separator    = "\n";
               for (const UniversalColumn &column : universal_columns())
                 {
                   text += separator + number_text(node.*column.member);
@@ -207,6 +208,34 @@ namespace dpcontact
       {
         EXPECT_GE(scattered.covered[c], .9) << c;
         EXPECT_LT(scattered.median_ratio[c], 4) << c;
+      }
+  }
+
+  TEST(universal_lookup, and_the_contact_law_say_the_same)
+  {
+    const std::filesystem::path      file  = DPCONTACT_UNIVERSAL_TABLE;
+    const UniversalTable             table = UniversalTable::read(file);
+    std::ifstream                    stream(file);
+    const ContactTable               of_law = ContactTable::read(stream);
+    std::mt19937                     random(2);
+    std::uniform_real_distribution<> uniform(0, 1);
+    constexpr double                 radius = .05; // R*
+    for (unsigned int i = 0; i < 40; ++i)
+      {
+        const double          nu = .45 * uniform(random), phi = 50 * uniform(random);
+        const UniversalFamily family(table, nu, phi);
+        const ContactLaw      law = ContactLaw::universal({1e10, nu, phi, 1e7}, of_law);
+        for (const double level : {3., 17., 90., 700., 3000.})
+          {
+            const UniversalValue      value = family.at(level);
+            const double              peak  = value.approach * law.approach_yield(radius);
+            const ContactCoefficients at    = law.coefficients(peak, radius);
+            EXPECT_NEAR(at.force / law.force_yield(radius) / level, 1, 1e-3)
+              << nu << ' ' << phi << ' ' << level;
+            EXPECT_NEAR(at.n, value.coefficients[3], 3e-3) << nu << ' ' << phi << ' ' << level;
+            EXPECT_NEAR(at.residual / peak, value.residual_eq18 / value.approach, 2e-3)
+              << nu << ' ' << phi << ' ' << level;
+          }
       }
   }
 

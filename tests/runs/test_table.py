@@ -72,6 +72,40 @@ class Lookup(program.TestCase):
         self.assertIn("sigma", message)
 
 
+class Join(program.TestCase):
+    def sweep(self, name, phi, resolution):
+        grid = self.write(f"{name}.prm", f"set E = 100GPa\nset nu = 0.1, 0.3\nset phi = {phi}\n"
+                          "set sigma-c = 100Pa\nset load-level = 0.5, 2, 4, 8\n"
+                          f"set resolution = {resolution}\nset step-tolerance = 1e-2\n")
+        self.succeed("sweep", grid, "--mode", "families", "--database", f"{name}.h5")
+
+    def nodes(self, name):
+        with open(self.directory / name, encoding="utf-8") as stream:
+            rows = csv.DictReader(line for line in stream if not line.startswith("#"))
+            return [{column: float(value) for column, value in row.items()} for row in rows]
+
+    def test_a_denser_grid_needs_only_what_is_new(self):
+        self.sweep("coarse", "20, 40", 8)
+        self.sweep("new", "30", 8)
+        self.sweep("dense", "20, 30, 40", 8)
+        self.succeed("table", "coarse.h5", "--csv", "coarse.csv")
+        self.succeed("table", "new.h5", "--join", "coarse.csv", "--csv", "joined.csv")
+        self.succeed("table", "dense.h5", "--csv", "dense.csv")
+        joined, dense = self.nodes("joined.csv"), self.nodes("dense.csv")
+        self.assertEqual(len(joined), 2 * 3 * 4)
+        self.assertEqual(len(joined), len(dense))
+        for one, other in zip(joined, dense):
+            for column, value in one.items():
+                self.assertAlmostEqual(value, other[column], delta=1e-9 + 1e-7 * abs(value))
+
+        self.sweep("finer", "30", 10)
+        message = self.fail_with(BAD_INPUT, "table", "finer.h5", "--join", "coarse.csv", "--csv",
+                                 "no.csv")
+        self.assertIn("settings", message)
+        # A table in which nodes stand twice is none.
+        self.fail_with(BAD_INPUT, "table", "coarse.h5", "--join", "coarse.csv", "--csv", "no.csv")
+
+
 class Evaluate(program.TestCase):
     def test_the_papers_evaluation(self):
         found = self.document("evaluate")
