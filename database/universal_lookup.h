@@ -44,8 +44,7 @@ namespace dpcontact
   /// along ν the polynomial through every second node, along φ the cubic through four nodes, along
   /// ln Λ what four levels make of the one between them, which shows how the nodes scatter as well.
   /// Of these and of the numerical errors that the nodes state, shares count that were calibrated
-  /// on materials that are not in the table (runs/held_out --calibration, and a third of them on
-  /// finer meshes with smaller steps), and verified on others (runs/held_out).
+  /// on materials that are not in the table, and verified on others (runs/held_out).
   class UniversalFamily
   {
   public:

@@ -102,14 +102,14 @@ namespace dpcontact
     /// How the stated uncertainty of a, b, m, n compares with the error, over 300 random points.
     struct Score
     {
-      std::array<double, 4> covered{}, median_ratio{}, median_error{};
+      std::array<double, 4> covered{}, median_ratio{}, median_error{}, median_stated{};
     };
 
     Score score(const UniversalTable &table)
     {
       std::mt19937                       random(1);
       std::uniform_real_distribution<>   uniform(0, 1);
-      std::array<std::vector<double>, 4> ratios, errors;
+      std::array<std::vector<double>, 4> ratios, errors, stateds;
       Score                              result;
       constexpr unsigned int             count = 300;
       for (unsigned int i = 0; i < count; ++i)
@@ -124,6 +124,7 @@ namespace dpcontact
               const double stated = value.interpolation[c] + value.numerical[c];
               errors[c].push_back(error / expect[c]);
               ratios[c].push_back(stated / error);
+              stateds[c].push_back(stated);
               result.covered[c] += (error <= stated) / double(count);
             }
         }
@@ -133,8 +134,9 @@ namespace dpcontact
       };
       for (std::size_t c = 0; c < 4; ++c)
         {
-          result.median_ratio[c] = median(ratios[c]);
-          result.median_error[c] = median(errors[c]);
+          result.median_ratio[c]  = median(ratios[c]);
+          result.median_error[c]  = median(errors[c]);
+          result.median_stated[c] = median(stateds[c]);
         }
       return result;
     }
@@ -203,11 +205,14 @@ namespace dpcontact
   TEST(universal_lookup, states_how_the_nodes_scatter)
   {
     const Score scattered = score(table_of(1e-3));
-    // m is as wrong as n, times ln of the approach.
+    const Score little    = score(table_of(1e-4));
+    // m is as wrong as n, times ln of the approach. Normal deviates, all alike, are covered as by
+    // 1.3 standard deviations at least, and at most by three.
     for (const std::size_t c : {2u, 3u})
       {
-        EXPECT_GE(scattered.covered[c], .9) << c;
+        EXPECT_GE(scattered.covered[c], .8) << c;
         EXPECT_LT(scattered.median_ratio[c], 4) << c;
+        EXPECT_GT(scattered.median_stated[c], 3 * little.median_stated[c]) << c;
       }
   }
 
