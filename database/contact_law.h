@@ -246,34 +246,27 @@ namespace dpcontact
       return result;
     }
 
-    /// At `at` the C² cubic spline through all points, whose end slopes are those of the polynomial
-    /// through the five points next to them.
+    /// At `at` the C² cubic spline through all points; end slopes of the polynomials through five.
     inline double
     spline(const std::vector<double> &x, const std::vector<double> &y, const double at)
     {
       const std::size_t   n = x.size(), near = std::min<std::size_t>(n, 5) - 1;
-      std::vector<double> h(n - 1), mean(n - 1), diagonal(n, 1.), upper(n, 0.), d(n);
-      for (std::size_t i = 0; i + 1 < n; ++i)
-        {
-          h[i]    = x[i + 1] - x[i];
-          mean[i] = (y[i + 1] - y[i]) / h[i];
-        }
-      d[0]     = slope(x, y, 0, near, 0);
-      d[n - 1] = slope(x, y, n - 1 - near, n - 1, n - 1);
+      const auto          h    = [&](const std::size_t i) { return x[i + 1] - x[i]; };
+      const auto          mean = [&](const std::size_t i) { return (y[i + 1] - y[i]) / h(i); };
+      std::vector<double> upper(n, 0.), d(n, slope(x, y, 0, near, 0));
       for (std::size_t i = 1; i + 1 < n; ++i) // Thomas' elimination for the slopes
         {
-          const double lower = h[i] / (h[i - 1] * diagonal[i - 1]);
-          diagonal[i]        = 2 * (h[i - 1] + h[i]) / h[i - 1] - lower * upper[i - 1];
-          upper[i]           = 1;
-          d[i]               = 3 * (mean[i - 1] * h[i] / h[i - 1] + mean[i]) - lower * d[i - 1];
+          const double q = h(i) / h(i - 1), pivot = 2 + 2 * q - q * upper[i - 1];
+          upper[i] = 1 / pivot;
+          d[i]     = (3 * (q * mean(i - 1) + mean(i)) - q * d[i - 1]) / pivot;
         }
+      d[n - 1] = slope(x, y, n - 1 - near, n - 1, n - 1);
       for (std::size_t i = n - 1; i-- > 1;)
-        d[i] = (d[i] - upper[i] * d[i + 1]) / diagonal[i];
+        d[i] -= upper[i] * d[i + 1];
       const auto i =
         static_cast<std::size_t>(std::upper_bound(x.begin() + 1, x.end() - 1, at) - x.begin()) - 1;
-      const double t = (at - x[i]) / h[i], c2 = 3 * mean[i] - 2 * d[i] - d[i + 1],
-                   c3 = d[i] + d[i + 1] - 2 * mean[i];
-      return y[i] + h[i] * t * (d[i] + t * (c2 + t * c3));
+      const double t = (at - x[i]) / h(i), c2 = 3 * mean(i) - 2 * d[i] - d[i + 1];
+      return y[i] + h(i) * t * (d[i] + t * (c2 + t * (d[i] + d[i + 1] - 2 * mean(i))));
     }
 
     /// Weights of an axis' nodes at `at`: of the polynomial through all where it does not swing
