@@ -296,15 +296,34 @@ namespace dpcontact
       return result;
     }
 
-    /// Weights of the interpolation at `at`: by all nodes where their polynomial does not swing
-    /// (its Lebesgue constant is below 3: up to five nodes, or Chebyshev–Lobatto points), otherwise
-    /// by the four around it.
-    inline std::pair<std::size_t, std::vector<double>>
-    weights(const std::vector<double> &axis, const double at, const char *name)
+    /// At `at` the C² cubic spline through all points; end slopes of the polynomials through five.
+    inline double
+    spline(const std::vector<double> &x, const std::vector<double> &y, const double at)
     {
-      std::ostringstream range;
-      range << "within the universal table, from " << axis.front() << " to " << axis.back();
-      check(at >= axis.front() && at <= axis.back(), name, at, range.str().c_str());
+      const std::size_t   n = x.size(), near = std::min<std::size_t>(n, 5) - 1;
+      const auto          h    = [&](const std::size_t i) { return x[i + 1] - x[i]; };
+      const auto          mean = [&](const std::size_t i) { return (y[i + 1] - y[i]) / h(i); };
+      std::vector<double> upper(n, 0.), d(n, slope(x, y, 0, near, 0));
+      for (std::size_t i = 1; i + 1 < n; ++i) // Thomas' elimination for the slopes
+        {
+          const double q = h(i) / h(i - 1), pivot = 2 + 2 * q - q * upper[i - 1];
+          upper[i] = 1 / pivot;
+          d[i]     = (3 * (q * mean(i - 1) + mean(i)) - q * d[i - 1]) / pivot;
+        }
+      d[n - 1] = slope(x, y, n - 1 - near, n - 1, n - 1);
+      for (std::size_t i = n - 1; i-- > 1;)
+        d[i] -= upper[i] * d[i + 1];
+      const auto i =
+        static_cast<std::size_t>(std::upper_bound(x.begin() + 1, x.end() - 1, at) - x.begin()) - 1;
+      const double t = (at - x[i]) / h(i), c2 = 3 * mean(i) - 2 * d[i] - d[i + 1];
+      return y[i] + h(i) * t * (d[i] + t * (c2 + t * (d[i] + d[i + 1] - 2 * mean(i))));
+    }
+
+    /// Weights of an axis' nodes at `at`: of the polynomial through all where it does not swing
+    /// (its Lebesgue constant is below 3: up to five nodes, or Chebyshev–Lobatto points), otherwise
+    /// of the cubic spline. Exact at the nodes, and beyond the ends what stands there goes on.
+    inline std::vector<double> weights(const std::vector<double> &axis, const double at)
+    {
       const std::size_t n       = axis.size();
       double            largest = 0;
       for (std::size_t i = 0; i + 1 < n; ++i)
@@ -316,11 +335,22 @@ namespace dpcontact
             largest = std::max(largest, sum);
           }
       if (largest < 3 || n <= 4)
-        return {0, lagrange(axis, 0, n, at)};
-      const auto above =
-        static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), at) - axis.begin());
-      const std::size_t first = std::min(above < 2 ? 0 : above - 2, n - 4);
-      return {first, lagrange(axis, first, 4, at)};
+        return lagrange(axis, 0, n, at);
+      std::vector<double> result(n), unit(n, 0.);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          unit[i]   = 1;
+          result[i] = spline(axis, unit, at);
+          unit[i]   = 0;
+        }
+      return result;
+    }
+
+    inline void check_within(const std::vector<double> &axis, const double at, const char *name)
+    {
+      std::ostringstream range;
+      range << "within the universal table, from " << axis.front() << " to " << axis.back();
+      check(at >= axis.front() && at <= axis.back(), name, at, range.str().c_str());
     }
   } // namespace contact_law_detail
 
@@ -531,11 +561,12 @@ namespace dpcontact
     static ContactLaw universal(const ContactMaterial &material, const ContactTable &table)
     {
       using namespace contact_law_detail;
-      const YieldScales scales   = yield_scales(material);
-      const double      onset    = std::log(scales.onset_level);
-      const auto [first_i, in_i] = weights(table.nu, material.poisson_ratio, "Poisson's ratio");
-      const auto [first_k, in_k] =
-        weights(table.phi, material.friction_angle_deg, "friction angle");
+      const YieldScales scales = yield_scales(material);
+      const double      onset  = std::log(scales.onset_level);
+      check_within(table.nu, material.poisson_ratio, "Poisson's ratio");
+      check_within(table.phi, material.friction_angle_deg, "friction angle");
+      const std::vector<double> in_i = weights(table.nu, material.poisson_ratio);
+      const std::vector<double> in_k = weights(table.phi, material.friction_angle_deg);
 
       // Over ln Λ: ln of δ and of w = δ_p − δ_res over Hertz's approach, and n; at the onset 0,
       // 0, 1.5.
@@ -549,7 +580,7 @@ namespace dpcontact
           for (std::size_t i = 0; i < in_i.size(); ++i)
             for (std::size_t k = 0; k < in_k.size(); ++k)
               {
-                const std::size_t at_node = table.index(first_i + i, first_k + k, l);
+                const std::size_t at_node = table.index(i, k, l);
                 const double      weight  = in_i[i] * in_k[k];
                 x += weight * (std::log(table.approach[at_node]) - 2. / 3. * at);
                 w += weight * ((at - std::log(table.m[at_node])) / table.n[at_node] - 2. / 3. * at);

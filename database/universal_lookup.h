@@ -34,10 +34,17 @@ namespace dpcontact
     double                residual_error; ///< of residual_approach, likewise, in δ_y
   };
 
-  /// The universal table at one ν and φ: the barycentric polynomial through the nodes of ν and φ
-  /// (Chebyshev–Lobatto points keep it from swinging), cubic splines over ln Λ. Interpolated are
-  /// smooth logarithms of ratios: of approach and recovered approach to Hertz's, of either power
-  /// law to the peak, and b and n. Below first yield everything is Hertz's in closed form.
+  /// The universal table at one ν and φ, interpolated over them as the contact law does
+  /// (contact_law.h: the polynomial through the Chebyshev–Lobatto points of ν, a cubic spline over
+  /// φ), by cubic splines over ln Λ. Interpolated are smooth logarithms of ratios: of approach and
+  /// recovered approach to Hertz's, of either power law to the peak, and b and n. Below first yield
+  /// everything is Hertz's in closed form.
+  ///
+  /// The error of interpolation is read off the table: how far a lower order is from the value,
+  /// along ν the polynomial through every second node, along φ the cubic through four nodes, along
+  /// ln Λ what four levels make of the one between them, which shows how the nodes scatter as well.
+  /// Of these and of the numerical errors that the nodes state, shares count that were calibrated
+  /// on materials that are not in the table, and verified on others (runs/held_out).
   class UniversalFamily
   {
   public:
@@ -60,14 +67,9 @@ namespace dpcontact
     double                                     onset_level;
     std::vector<double>                        levels; ///< Λ
     std::vector<std::function<double(double)>> smooth; ///< over ln Λ
-    std::vector<std::function<double(double)>> errors; ///< over ln Λ, linear
-  };
-
-  /// Errors that interpolation adds, relative for a and m and of the approach, absolute for b and
-  /// n: measured on materials that are not in the table (runs/held_out).
-  struct InterpolationError
-  {
-    static constexpr double a = 0.002, b = 0.0004, m = 0.003, n = 0.0006, approach = 0.0008;
+    /// Over ln Λ, linear: the stated errors of ln a, b, ln m, n, ln(approach) and of the residual
+    /// over the peak approach; and the misfit of a, b, m, n.
+    std::vector<std::function<double(double)>> interpolation, numerical, misfit;
   };
 } // namespace dpcontact
 

@@ -7,6 +7,8 @@
 #include "fitting/smooth_curve.h"
 #include "meshing/errors.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -198,8 +200,7 @@ namespace dpcontact
       }
     for (std::size_t i = 0; i < 3; ++i)
       axes[i].assign(values[i].begin(), values[i].end());
-    if (nodes.size() != axes[0].size() * axes[1].size() * axes[2].size() || axes[0].size() < 2 ||
-        axes[1].size() < 2 || axes[2].size() < 4)
+    if (nodes.empty() || nodes.size() != axes[0].size() * axes[1].size() * axes[2].size())
       throw InputError("universal table: " + std::to_string(nodes.size()) +
                        " nodes are no grid of nu, phi and Lambda");
     std::sort(nodes.begin(), nodes.end(), [](const UniversalNode &p, const UniversalNode &q) {
@@ -251,6 +252,33 @@ namespace dpcontact
           }
       }
     return UniversalTable(std::move(nodes), database.provenance);
+  }
+
+  UniversalTable UniversalTable::joined(const UniversalTable &other) const
+  {
+    const auto entry = [](const UniversalTable &table, const std::string &key) {
+      const auto found = table.provenance.find(key);
+      return found == table.provenance.end() ? std::string() : found->second;
+    };
+    const auto settings = [&](const UniversalTable &table) {
+      nlohmann::json json = nlohmann::json::parse(entry(table, "solver_settings"), nullptr, false);
+      if (json.is_object())
+        json.erase("grid_sha256");
+      return json;
+    };
+    if (settings(*this) != settings(other))
+      throw InputError("universal table: nodes of different settings are no one table: " +
+                       settings(*this).dump() + " and " + settings(other).dump());
+    std::vector<UniversalNode> all_nodes = nodes;
+    all_nodes.insert(all_nodes.end(), other.nodes.begin(), other.nodes.end());
+    Provenance text         = provenance;
+    text["rows"]            = std::to_string(all_nodes.size());
+    text["solver_settings"] = settings(*this).dump();
+    text["joined"] = std::to_string(other.nodes.size()) + " of the rows made by revision " +
+                     entry(other, "version_git_revision");
+    if (const std::string before = entry(other, "joined"); !before.empty())
+      text["joined"] += ", of these " + before;
+    return UniversalTable(std::move(all_nodes), std::move(text));
   }
 
   void UniversalTable::write(std::ostream &out) const

@@ -58,6 +58,12 @@ namespace dpcontact
     /// @throws FileError, CorruptData where digest, header, a number or the grid is wrong.
     static UniversalTable read(const std::filesystem::path &file);
 
+    /// The nodes of both: what has been computed need not be computed again where an axis becomes
+    /// denser. The provenance is this one's, and says which revision made the others.
+    /// @throws InputError where they were made with other settings than the grid, or are no grid
+    /// together.
+    UniversalTable joined(const UniversalTable &other) const;
+
     /// CSV: comment lines with provenance and the columns' meaning, header, one line a node, ν
     /// slowest; and its digest `<file>.sha256`. @throws FileError.
     void write(const std::filesystem::path &file) const;

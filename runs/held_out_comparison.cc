@@ -59,15 +59,22 @@ namespace dpcontact
                                                       static_cast<double>(values.size() - 1)))];
     }
 
-    Json summary(const std::vector<double> &values)
+    /// @param goal what the errors are meant to be within; `within` is the share that is.
+    Json summary(const std::vector<double> &values, const double goal)
     {
-      double square = 0;
+      double square = 0, within = 0;
       for (const double value : values)
-        square += value * value;
-      return {{"rms", std::sqrt(square / static_cast<double>(values.size()))},
+        {
+          square += value * value;
+          within += value <= goal;
+        }
+      const auto count = static_cast<double>(values.size());
+      return {{"rms", std::sqrt(square / count)},
               {"median", quantile(values, .5)},
               {"nine_tenths", quantile(values, .9)},
-              {"largest", quantile(values, 1)}};
+              {"largest", quantile(values, 1)},
+              {"goal", goal},
+              {"within", within / count}};
     }
 
     Json compare_one(const UniversalTable &table, const Json &row)
@@ -88,6 +95,7 @@ namespace dpcontact
                           {"nu", material.at("nu")},
                           {"phi_deg", material.at("phi")},
                           {"load_level", level},
+                          {"yields", level > family.onset()},
                           {"loading",
                            mean_error(
            loading, [&](const double x) { return level_at(family, x); }, level)},
@@ -132,26 +140,29 @@ namespace dpcontact
             }
         total["materials"] = rows.size();
         total["failed"]    = failed;
-        total["loading"]   = summary(loading);
-        total["unloading"] = summary(unloading);
+        total["loading"]   = summary(loading, .003);
+        total["unloading"] = summary(unloading, .005);
         for (const char *const name : {"a", "b", "m", "n", "residual_approach"})
           {
             std::vector<double> errors, ratios, misfits;
-            std::size_t         covered = 0;
+            double              covered = 0;
             for (const Json &row : rows)
               {
                 const double error  = std::abs(row[name]["error"].get<double>());
                 const double stated = row[name]["stated"];
                 errors.push_back(error);
-                covered += error <= stated;
-                if (error > 1e-9) // in closed form where nothing yields
-                  ratios.push_back(stated / error);
+                if (row["yields"]) // otherwise the lookup is Hertz's closed form, the error the
+                                   // curve's
+                  {
+                    ratios.push_back(stated / error);
+                    covered += error <= stated;
+                  }
                 if (row[name].contains("misfit"))
                   misfits.push_back(row[name]["misfit"]);
               }
-            total[name] = summary(errors);
-            total[name]["covered"] =
-              static_cast<double>(covered) / static_cast<double>(rows.size());
+            total[name]                 = summary(errors, .003);
+            total[name]["compared"]     = ratios.size();
+            total[name]["covered"]      = covered / static_cast<double>(ratios.size());
             total[name]["median_ratio"] = quantile(ratios, .5);
             if (!misfits.empty())
               total[name]["misfit_median"] = quantile(misfits, .5);

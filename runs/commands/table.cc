@@ -15,13 +15,15 @@ namespace dpcontact::commands
     struct Options
     {
       std::string database;
-      std::string csv, datapackage, datacite;
+      std::string csv, join, datapackage, datacite;
       bool        json = false;
     };
 
     ExitCode run(const Options &options)
     {
-      const UniversalTable table = UniversalTable::from_rows(read_store(options.database));
+      UniversalTable table = UniversalTable::from_rows(read_store(options.database));
+      if (!options.join.empty())
+        table = table.joined(UniversalTable::read(options.join));
       table.write(options.csv);
       if (!options.datapackage.empty())
         write_datapackage(options.datapackage, options.csv, table);
@@ -51,6 +53,12 @@ namespace dpcontact::commands
       ->required();
     command->add_option("--csv", options->csv, "file to write, and its digest beside it")
       ->required()
+      ->type_name("FILE");
+    command
+      ->add_option("--join",
+                   options->join,
+                   "table of the same settings whose nodes are added, where the sweep holds what a "
+                   "denser grid has beside them")
       ->type_name("FILE");
     command->add_option("--datapackage", options->datapackage, "Frictionless data package of it")
       ->type_name("FILE");

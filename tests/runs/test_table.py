@@ -153,6 +153,40 @@ class Lookup(program.TestCase):
         self.assertIn("sigma", message)
 
 
+class Join(program.TestCase):
+    def sweep(self, name, phi, resolution):
+        grid = self.write(f"{name}.prm", f"set E = 100GPa\nset nu = 0.1, 0.3\nset phi = {phi}\n"
+                          "set sigma-c = 100Pa\nset load-level = 0.5, 2, 4, 8\n"
+                          f"set resolution = {resolution}\nset step-tolerance = 1e-2\n")
+        self.succeed("sweep", grid, "--mode", "families", "--database", f"{name}.h5")
+
+    def nodes(self, name):
+        with open(self.directory / name, encoding="utf-8") as stream:
+            rows = csv.DictReader(line for line in stream if not line.startswith("#"))
+            return [{column: float(value) for column, value in row.items()} for row in rows]
+
+    def test_a_denser_grid_needs_only_what_is_new(self):
+        self.sweep("coarse", "20, 40", 8)
+        self.sweep("new", "30", 8)
+        self.sweep("dense", "20, 30, 40", 8)
+        self.succeed("table", "coarse.h5", "--csv", "coarse.csv")
+        self.succeed("table", "new.h5", "--join", "coarse.csv", "--csv", "joined.csv")
+        self.succeed("table", "dense.h5", "--csv", "dense.csv")
+        joined, dense = self.nodes("joined.csv"), self.nodes("dense.csv")
+        self.assertEqual(len(joined), 2 * 3 * 4)
+        self.assertEqual(len(joined), len(dense))
+        for one, other in zip(joined, dense):
+            for column, value in one.items():
+                self.assertAlmostEqual(value, other[column], delta=1e-9 + 1e-7 * abs(value))
+
+        self.sweep("finer", "30", 10)
+        message = self.fail_with(BAD_INPUT, "table", "finer.h5", "--join", "coarse.csv", "--csv",
+                                 "no.csv")
+        self.assertIn("settings", message)
+        # A table in which nodes stand twice is none.
+        self.fail_with(BAD_INPUT, "table", "coarse.h5", "--join", "coarse.csv", "--csv", "no.csv")
+
+
 class Evaluate(program.TestCase):
     def test_the_papers_evaluation(self):
         found = self.document("evaluate")
@@ -161,6 +195,31 @@ class Evaluate(program.TestCase):
                 self.assertLess(errors["similarity"][name], errors["paper_interpolation"][name])
         left_out = found["leave_one_out"]
         self.assertLess(left_out["similarity"]["rms"]["m"], left_out["regression"]["rms"]["m"])
+
+    def test_held_out_materials(self):
+        """The claims on the universal table, on curves computed after it had been settled."""
+        found = self.document("evaluate", "--held-out-only")["summary"]
+        self.assertGreaterEqual(found["materials"], 50)
+        self.assertLess(found["loading"]["rms"], .003)
+        self.assertLess(found["unloading"]["rms"], .005)
+        for name in NAMES:
+            with self.subTest(coefficient=name):
+                self.assertGreaterEqual(found[name]["compared"], 40)
+                self.assertLess(found[name]["median"], .003)
+                self.assertGreaterEqual(found[name]["covered"], .9)
+                self.assertLess(found[name]["median_ratio"], 4)
+                # apart from the error: how well a power law describes the curve at all
+                self.assertGreater(found[name]["misfit_median"], 0)
+
+    def test_held_out_materials_are_not_those_of_the_calibration(self):
+        documents = [json.loads((DATABASE.parent / "runs" / name).read_text(encoding="utf-8"))
+                     for name in ("held_out.json", "held_out_calibration.json")]
+        verified, calibrated = ([row["material"] for part in ("box", "paper") for row in each[part]]
+                                for each in documents)
+        self.assertFalse([material for material in verified if material in calibrated])
+        nodes = {(row["nu"], row["phi_deg"]) for row in table("universal.csv")}
+        self.assertFalse([material for material in verified
+                          if (str(material["nu"]), str(material["phi"])) in nodes])
 
 
 class Check(program.TestCase):
