@@ -20,7 +20,7 @@ GENERATED = {"git_revision.h"}
 MAX_LINES = 500
 
 # One file on purpose: a discrete-element code takes it away alone.
-LONGER = {"database/contact_law.h": 900}
+LONGER = {"database/contact_law.h": 950}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
