@@ -38,7 +38,8 @@ namespace dpcontact
     // In space. Quadratic elements, four across the contact: to fall with the square of their
     // number; six and eight leave less. Bricks: from eight across the contact on the rings' angles,
     // which the resolution does not change, leave most, a level a quarter of it (measured on
-    // Hertz's approach: 1.0 and 0.25 %).
+    // Hertz's approach: 1.0 and 0.25 %);
+    // fewer to leave more by their square, which tests/runs/test_space.py checks at four.
     // One and a half times the largest of three materials' (Λ = 1.2, 11 and 392) against
     // axisymmetry, equal steps.
     constexpr Growth quadratic_mesh_error[] = {{.004, .15, 1},

@@ -109,7 +109,8 @@ namespace dpcontact
 
     /// How far the present contact pressure is from axisymmetric: rms over the area of what the
     /// faces' means differ by from a profile of r alone (p² linear in r², as in Hertz, over every
-    /// width of an element, or of the several that hold four faces), over the largest of them. Faces across the edge are left out.
+    /// width of an element, or of the several that hold four faces), over the largest of them.
+    /// Faces across the edge are left out.
     double axisymmetry_deviation() const;
 
     const UnitSystem                       &units() const { return unit_system; }

@@ -71,8 +71,7 @@ namespace dpcontact
     };
 
     /// load() and unload(), in the steps of the options, going on from `progress` where that holds
-    /// points. `keep` is called at every point but the
-    /// peak and the last.
+    /// points. `keep` is called at every point but the peak and the last.
     void run(double                                       peak,
              double                                       peak_approach_guess,
              Progress                                    &progress,
@@ -104,13 +103,13 @@ namespace dpcontact
   private:
     using Control = typename ContactSystem<dim>::Control;
 
-    bool                    try_step(Control control, double target);
-    void                    advance(const char                          *stage,
-                                    const std::function<double(double)> &force_of,
-                                    double                               from,
-                                    double                               to);
-    void                    check(const typename ContactSystem<dim>::Integrals &integrals);
-    CurvePoint              record();
+    bool       try_step(Control control, double target);
+    void       advance(const char                          *stage,
+                       const std::function<double(double)> &force_of,
+                       double                               from,
+                       double                               to);
+    void       check(const typename ContactSystem<dim>::Integrals &integrals);
+    CurvePoint record();
 
     std::vector<CurvePoint> start_loading(double peak, double peak_approach_guess);
     std::vector<CurvePoint> start_unloading();

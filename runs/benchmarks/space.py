@@ -57,14 +57,14 @@ def curves(pages, reference):
         row = measure.curve(ROCK, f"{options} {STEPS}", reference, 1, 0)
         rows.append([options, *(row.get(c, "") for c in ("law_error", "coefficient_error", "processor_seconds",
                                                          "dofs", "newton_iterations", "peak_memory_bytes", "failure"))])
+        pages.csv("space_curves", ["options", "law_error", "coefficient_error", "processor_seconds", "dofs",
+                                   "newton_iterations", "peak_memory_bytes", "failure"], rows)
         if row["failure"]:
             lines.append([f"`{options}`", f"failed: {row['failure']}", "", "", "", ""])
             continue
         lines.append([f"`{options}`", report.percent(row["law_error"]), report.percent(row["coefficient_error"]),
                       report.time_text(row["processor_seconds"]), row["dofs"],
                       f"{row['peak_memory_bytes'] / 1e6:.0f}"])
-        pages.csv("space_curves", ["options", "law_error", "coefficient_error", "processor_seconds", "dofs",
-                                   "newton_iterations", "peak_memory_bytes", "failure"], rows)
     return (f"Type 1, `{STEPS}`; errors from the reference of the axisymmetric curves.\n\n" +
             report.table(["options", "law", "a, b, m, n", "s", "DoFs", "MB"], lines))
 

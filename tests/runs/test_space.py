@@ -12,7 +12,8 @@ from program import BAD_INPUT, CORRUPT, MISMATCH, SUCCESS
 ROCK = ["--E", "10GPa", "--nu", "0.15", "--phi", "25", "--sigma-c", "15MPa"]
 # Small, but yielding: 8 loading and 4 unloading steps after a run of half as many.
 SMALL = ["solve", *ROCK, "--geometry", "sector", "--sector-angle", "90", "--element", "brick",
-         "--resolution", "4", "--domain-radius", "30", "--loading-steps", "16", "--extrapolation", "off"]
+         "--resolution", "4", "--domain-radius", "30", "--loading-steps", "16",
+         "--extrapolation", "off"]
 NUMBERS = ["a", "b", "m", "n"]
 
 
@@ -53,6 +54,7 @@ class Space(program.TestCase):
                             abs(space["fit"][name] - plane["fit"][name]),
                             sum(part["mesh"] + part["contact"] + part["far_field"]
                                 for part in parts), name)
+                    # Measured: .1 % by four quadratic elements, 1.8 % by four bricks.
                     self.assertAlmostEqual(
                         space["peak"]["approach"] / plane["peak"]["approach"], 1,
                         delta=2e-3 if geometry is sector else 2.5e-2)
