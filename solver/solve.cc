@@ -177,6 +177,27 @@ namespace dpcontact
         }
     }
 
+    /// Enters the curve that extrapolate_steps_smoothly() makes, and the error of its load step.
+    /// @return false where that is no curve either.
+    bool extrapolate_smoothly(const Curve &coarse,
+                              const Curve &fine,
+                              const double share,
+                              Solution    &solution)
+    {
+      try
+        {
+          solution.curve = extrapolate_steps_smoothly(coarse, fine);
+        }
+      catch (const StepsTooLarge &)
+        {
+          return false;
+        }
+      solution.step_error    = share * smooth_step_difference(coarse, fine);
+      solution.coarser_steps = fine;
+      solution.coarser_share = share_of_first_difference;
+      return true;
+    }
+
     /// Runs with halved steps until the curve is as accurate as asked for.
     template <int dim>
     void solve_on(const Material      &material,
@@ -256,10 +277,22 @@ namespace dpcontact
               used.loading_steps     = steps;
               break;
             }
-          if (enough && options.loading_steps > 0)
+          // No more steps may be taken: where the edge of the contact, moving from node to node,
+          // makes the difference jump, its smooth part is extrapolated instead.
+          const bool last = options.loading_steps > 0 ? steps == options.loading_steps
+                                                      : 2 * steps > most_loading_steps;
+          if (last && options.extrapolation &&
+              extrapolate_smoothly(coarse, fine, share, solution) &&
+              (options.loading_steps > 0 ||
+               (solution.step_error <= options.step_tolerance && !fine_was_cut && !coarse_was_cut)))
+            {
+              used.loading_steps = steps;
+              break;
+            }
+          if (last && options.loading_steps > 0)
             throw SolverError("with loading-steps " + std::to_string(steps) +
                               " the extrapolated curve is not monotone: ask for more steps");
-          if (2 * steps > most_loading_steps && options.loading_steps == 0)
+          if (last)
             {
               std::ostringstream message;
               message << "step-tolerance " << options.step_tolerance << " is not reached with "

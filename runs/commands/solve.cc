@@ -42,6 +42,13 @@ namespace dpcontact::commands
                 << newton_iterations << " Newton iterations" << std::flush;
     }
 
+    /// Says it where the terminal's last line cannot be written over: in a batch job's log.
+    void log_step(const char *stage, const double fraction, const int newton_iterations)
+    {
+      std::cerr << "dpcontact: " << stage << ' ' << std::lround(100 * fraction) << " %, "
+                << newton_iterations << " Newton iterations" << std::endl;
+    }
+
     Json document_of(const Case          &input,
                      const SolverOptions &used,
                      const Solution      &solution,
@@ -154,13 +161,12 @@ namespace dpcontact::commands
               write_checkpoint(kept->second, settings, state);
           };
         }
-      const Solution solution = solve_contact(input.material,
-                                              input.scene,
-                                              used,
-                                              directory,
-                                              terminal ? StepObserver(report_step) : StepObserver(),
-                                              processes,
-                                              checkpoint);
+      // A step in space takes seconds to minutes, an axisymmetric curve less than that.
+      const StepObserver observer = terminal                           ? report_step
+                                    : first && in_space(used.geometry) ? log_step
+                                                                       : StepObserver();
+      const Solution     solution = solve_contact(
+        input.material, input.scene, used, directory, observer, processes, checkpoint);
       if (!first)
         return ExitCode::success;
       if (kept != texts.end())
