@@ -41,10 +41,6 @@ namespace dpcontact
               std::log(node.m * std::pow(recovered, node.n) / level)};
     }
 
-    /// What a lookup states an uncertainty of: ln a, b, ln m, n, ln(δ/δ_y), δ_res/δ.
-    constexpr std::size_t n_outcomes = 6;
-    using Outcome                    = std::array<double, n_outcomes>;
-
     Outcome outcome_of(const SmoothValues &value, const double level)
     {
       const double ln_level = std::log(level), ln_hertz = 2. / 3 * ln_level;
@@ -57,16 +53,23 @@ namespace dpcontact
               1 - std::exp(value[ln_recovered] - value[ln_approach])};
     }
 
-    Outcome difference(const Outcome &p, const Outcome &q)
+    std::vector<Outcome> outcomes_of(const std::vector<SmoothValues> &values, const double level)
     {
-      Outcome result{};
-      for (std::size_t c = 0; c < n_outcomes; ++c)
-        result[c] = std::abs(p[c] - q[c]);
+      std::vector<Outcome> result;
+      for (const SmoothValues &value : values)
+        result.push_back(outcome_of(value, level));
       return result;
     }
 
-    /// At every level, how far it is from the cubic through the two before and the two behind; next
-    /// to the ends that of the nearest with such neighbours.
+    /// sum += factor · added
+    void add(Outcome &sum, const double factor, const Outcome &added)
+    {
+      for (std::size_t c = 0; c < n_outcomes; ++c)
+        sum[c] += factor * added[c];
+    }
+
+    /// At every node of an axis, how far it is from the cubic through the two before and the two
+    /// behind; next to the ends that of the nearest with such neighbours.
     std::vector<Outcome> roughness(const std::vector<double> &x, const std::vector<Outcome> &y)
     {
       const std::size_t    n = x.size();
@@ -81,6 +84,16 @@ namespace dpcontact
               std::abs(weights[0] * y[at - 2][c] + weights[1] * y[at - 1][c] +
                        weights[2] * y[at + 1][c] + weights[3] * y[at + 2][c] - y[at][c]);
         }
+      return result;
+    }
+
+    /// The largest of the nodes that a weight is not zero of.
+    Outcome largest_of(const std::vector<Outcome> &list, const std::vector<double> &weights)
+    {
+      Outcome result{};
+      for (std::size_t i = 0; i < list.size(); ++i)
+        for (std::size_t c = 0; c < n_outcomes && weights[i] != 0; ++c)
+          result[c] = std::max(result[c], list[i][c]);
       return result;
     }
 
@@ -108,42 +121,34 @@ namespace dpcontact
               node.residual_approach_error / node.approach};
     }
 
-    // The stated uncertainty of each outcome, calibrated on runs/held_out_calibration.json and
-    // runs/held_out_first.json. Its parts:
-    // - a floor, for m and n falling with Λ: just past first yield next to nothing is left of the
-    //   approach, and the fit of the unloading is least certain;
-    constexpr Outcome floor_error{3e-5, 3e-5, 1e-4, 3e-4, 3e-5, 3e-5};
-    constexpr Outcome floor_exponent{0, 0, .25, .25, 0, 0};
-    // - shares of the differences to a lower order, and of the roughness over ln Λ (nodes of a, b
-    //   and the approach are smoothed along the loading curve, those of m, n and the residual are
-    //   not);
-    constexpr Outcome share_along_nu{.7, .5, .5, .5, .5, .5};
-    constexpr double  share_along_phi = .5;
-    constexpr Outcome share_along_level{.03, .06, .2, .2, .06, .2};
+    // The stated uncertainty of each outcome, by runs/calibrate. It adds
+    // - a share of the roughness;
+    constexpr Outcome rough_share{.053, .23, .16, .099, .0025, .21};
     // - a share of what the nodes state, times powers of φ/30° up to 1 and of Λ from 1 on. They
     //   state the errors of loading by the plastic excess of the approach, which low friction makes
-    //   large without making the loading curve less accurate.
-    constexpr Outcome numerical_share{.086, .215, .09, .065, .77, .13};
-    constexpr Outcome numerical_phi_exponent{2, 2, 0, 0, 1, 0};
-    constexpr Outcome numerical_level_exponent{.35, .25, 0, 0, 0, 0};
+    //   large without making the loading curve less accurate;
+    constexpr Outcome numerical_share{.052, .51, .037, .0057, .4, .089};
+    constexpr Outcome numerical_phi_exponent{1.3, 1.3, .77, .083, .49, 0};
+    constexpr Outcome numerical_level_exponent{.45, -.077, .28, .5, .12, .18};
+    // - a floor, of some falling with Λ: just past first yield next to nothing is left of the
+    //   approach.
+    constexpr Outcome floor_error{1.4e-4, 6.1e-6, 2e-4, 3.1e-4, 7.5e-5, 6.1e-6};
+    constexpr Outcome floor_exponent{.3, .3, 0, 0, .15, .3};
 
-    double interpolation_error(const std::size_t c,
-                               const double      along_nu,
-                               const double      along_phi,
-                               const double      along_level)
+    double interpolation_error(const std::size_t c, const std::array<Outcome, n_parts> &parts)
     {
-      return share_along_nu[c] * along_nu + share_along_phi * along_phi +
-             share_along_level[c] * along_level;
+      return rough_share[c] *
+             (parts[rough_along_nu][c] + parts[rough_along_phi][c] + parts[rough_along_level][c]);
     }
 
-    double numerical_error(const std::size_t c,
-                           const double      stated,
-                           const double      phi_deg,
-                           const double      load_level)
+    double numerical_error(const std::size_t                   c,
+                           const std::array<Outcome, n_parts> &parts,
+                           const double                        phi_deg,
+                           const double                        load_level)
     {
       const double level = std::max(load_level, 1.);
       return floor_error[c] * std::pow(level, -floor_exponent[c]) +
-             numerical_share[c] * stated *
+             numerical_share[c] * parts[stated_by_nodes][c] *
                std::pow(std::min(phi_deg / 30, 1.), numerical_phi_exponent[c]) *
                std::pow(level, numerical_level_exponent[c]);
     }
@@ -152,37 +157,6 @@ namespace dpcontact
                                                                     &UniversalNode::b_misfit,
                                                                     &UniversalNode::m_misfit,
                                                                     &UniversalNode::n_misfit};
-
-    /// The cubic through the four nodes around x: of lower order than contact_law_detail::weights.
-    std::vector<double> cubic_weights(const std::vector<double> &nodes, const double x)
-    {
-      const std::size_t n = nodes.size(), count = std::min<std::size_t>(n, 4);
-      const auto        above =
-        static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
-      const std::size_t   first = std::min(above < 2 ? 0 : above - 2, n - count);
-      const auto          local = contact_law_detail::lagrange(nodes, first, count, x);
-      std::vector<double> weights(n, 0.);
-      std::copy(local.begin(), local.end(), weights.begin() + static_cast<std::ptrdiff_t>(first));
-      return weights;
-    }
-
-    /// The polynomial through every second node, from the first on, and the last.
-    std::vector<double> sparse_weights(const std::vector<double> &nodes, const double x)
-    {
-      std::vector<std::size_t> kept;
-      std::vector<double>      positions;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (i % 2 == 0 || i + 1 == nodes.size())
-          {
-            kept.push_back(i);
-            positions.push_back(nodes[i]);
-          }
-      const auto          local = contact_law_detail::lagrange(positions, 0, positions.size(), x);
-      std::vector<double> weights(nodes.size(), 0.);
-      for (std::size_t i = 0; i < kept.size(); ++i)
-        weights[kept[i]] = local[i];
-      return weights;
-    }
 
     /// Linear between the two neighbours.
     std::vector<double> linear_weights(const std::vector<double> &nodes, const double x)
@@ -228,71 +202,78 @@ namespace dpcontact
 
   UniversalFamily::UniversalFamily(const UniversalTable &table,
                                    const double          nu,
-                                   const double          phi_deg,
+                                   const double          phi_deg_,
                                    const Outside         outside)
     : levels(table.load_level())
+    , phi_deg(phi_deg_)
   {
     if (table.nu().size() < 2 || table.phi_deg().size() < 2 || levels.size() < 4)
       throw InputError("universal table: interpolation needs two nu, two phi and four load levels");
     check_range("nu", nu, table.nu().front(), table.nu().back(), outside);
     check_range("phi", phi_deg, table.phi_deg().front(), table.phi_deg().back(), outside);
-    // Of ν and φ each the weights that count, and those of a lower order to compare them with.
-    const auto over_nu   = contact_law_detail::weights(table.nu(), nu);
-    const auto over_phi  = contact_law_detail::weights(table.phi_deg(), phi_deg);
-    const auto sparse_nu = sparse_weights(table.nu(), nu);
-    const auto cubic_phi = cubic_weights(table.phi_deg(), phi_deg);
-    const auto near_nu   = linear_weights(table.nu(), nu);
-    const auto near_phi  = linear_weights(table.phi_deg(), phi_deg);
+    // Of ν and φ each the weights that count, and the neighbours'.
+    const auto        over_nu  = contact_law_detail::weights(table.nu(), nu);
+    const auto        over_phi = contact_law_detail::weights(table.phi_deg(), phi_deg);
+    const auto        near_nu  = linear_weights(table.nu(), nu);
+    const auto        near_phi = linear_weights(table.phi_deg(), phi_deg);
+    const std::size_t n_nu = near_nu.size(), n_phi = near_phi.size(), n_levels = levels.size();
 
-    std::vector<double>              x;
-    std::vector<std::vector<double>> values(n_smooth), misfits(misfit_members.size());
-    std::vector<Outcome>             outcomes, along_nu, along_phi, stated_by_nodes;
-    for (std::size_t k = 0; k < levels.size(); ++k)
+    std::vector<double> x;
+    for (const double level : levels)
+      x.push_back(std::log(level));
+    std::vector<std::vector<double>>          values(n_smooth), misfits(misfit_members.size());
+    std::array<std::vector<Outcome>, n_parts> found;
+    found.fill(std::vector<Outcome>(n_levels, Outcome{}));
+    for (auto &list : misfits)
+      list.assign(n_levels, 0.);
+    for (std::size_t k = 0; k < n_levels; ++k)
       {
-        x.push_back(std::log(levels[k]));
-        SmoothValues value{}, by_sparse_nu{}, by_cubic_phi{};
-        for (auto &list : misfits)
-          list.push_back(0);
-        stated_by_nodes.push_back({});
-        for (std::size_t i = 0; i < table.nu().size(); ++i)
-          for (std::size_t j = 0; j < table.phi_deg().size(); ++j)
+        // Interpolated along one axis at every node of the other, and along both.
+        std::vector<SmoothValues> at_nu(n_nu, SmoothValues{}), at_phi(n_phi, SmoothValues{});
+        SmoothValues              value{};
+        for (std::size_t i = 0; i < n_nu; ++i)
+          for (std::size_t j = 0; j < n_phi; ++j)
             {
               const UniversalNode &node          = table.node(i, j, k);
               const SmoothValues   smooth_values = smooth_of(node);
               for (std::size_t c = 0; c < n_smooth; ++c)
                 {
+                  at_nu[i][c] += over_phi[j] * smooth_values[c];
+                  at_phi[j][c] += over_nu[i] * smooth_values[c];
                   value[c] += over_nu[i] * over_phi[j] * smooth_values[c];
-                  by_sparse_nu[c] += sparse_nu[i] * over_phi[j] * smooth_values[c];
-                  by_cubic_phi[c] += over_nu[i] * cubic_phi[j] * smooth_values[c];
                 }
-              const Outcome stated = numerical_of(node);
-              const double  near   = near_nu[i] * near_phi[j];
-              for (std::size_t c = 0; c < n_outcomes; ++c)
-                stated_by_nodes.back()[c] += near * stated[c];
+              const double near = near_nu[i] * near_phi[j];
+              add(found[stated_by_nodes][k], near, numerical_of(node));
               for (std::size_t c = 0; c < misfit_members.size(); ++c)
-                misfits[c].back() += near * node.*misfit_members[c];
+                misfits[c][k] += near * node.*misfit_members[c];
             }
         for (std::size_t c = 0; c < n_smooth; ++c)
           values[c].push_back(value[c]);
-        outcomes.push_back(outcome_of(value, levels[k]));
-        along_nu.push_back(difference(outcome_of(by_sparse_nu, levels[k]), outcomes.back()));
-        along_phi.push_back(difference(outcome_of(by_cubic_phi, levels[k]), outcomes.back()));
+        found[rough_along_nu][k] =
+          largest_of(roughness(table.nu(), outcomes_of(at_nu, levels[k])), near_nu);
+        found[rough_along_phi][k] =
+          largest_of(roughness(table.phi_deg(), outcomes_of(at_phi, levels[k])), near_phi);
       }
-    const auto along_level = roughness(x, outcomes);
-    for (std::size_t c = 0; c < n_outcomes; ++c)
-      {
-        std::vector<double> added, left;
-        for (std::size_t k = 0; k < levels.size(); ++k)
+    for (std::size_t i = 0; i < n_nu; ++i)
+      for (std::size_t j = 0; j < n_phi; ++j)
+        if (const double near = near_nu[i] * near_phi[j]; near != 0)
           {
-            added.push_back(interpolation_error(c,
-                                                largest_around(along_nu, k, c),
-                                                largest_around(along_phi, k, c),
-                                                largest_around(along_level, k, c)));
-            left.push_back(numerical_error(c, stated_by_nodes[k][c], phi_deg, levels[k]));
+            std::vector<Outcome> outcomes;
+            for (std::size_t k = 0; k < n_levels; ++k)
+              outcomes.push_back(outcome_of(smooth_of(table.node(i, j, k)), levels[k]));
+            const auto rough = roughness(x, outcomes);
+            for (std::size_t k = 0; k < n_levels; ++k)
+              add(found[rough_along_level][k], near, rough[k]);
           }
-        interpolation.push_back(curve_through(x, added, gsl_interp_linear));
-        numerical.push_back(curve_through(x, left, gsl_interp_linear));
-      }
+    for (std::size_t part = 0; part < n_parts; ++part)
+      for (std::size_t c = 0; c < n_outcomes; ++c)
+        {
+          std::vector<double> list;
+          for (std::size_t k = 0; k < n_levels; ++k)
+            list.push_back(part == stated_by_nodes ? found[part][k][c]
+                                                   : largest_around(found[part], k, c));
+          parts[part][c] = curve_through(x, list, gsl_interp_linear);
+        }
     Material material;
     material.youngs_modulus       = 1e11;
     material.poisson_ratio        = nu;
@@ -338,15 +319,23 @@ namespace dpcontact
     value.residual_approach = value.approach - recovered;
     value.residual_eq18     = value.approach - std::pow(load_level / m, 1 / n);
 
-    const std::array<double, 4> unit{a, 1, m, 1}; // a and m have relative errors
+    const Outcome unit{a, 1, m, 1, 1, value.approach}; // a, m, approach have relative errors
+    Outcome       interpolation{}, numerical{};
+    for (std::size_t c = 0; c < n_outcomes; ++c)
+      {
+        for (std::size_t part = 0; part < n_parts; ++part)
+          value.parts[part][c] = parts[part][c](x);
+        interpolation[c] = unit[c] * interpolation_error(c, value.parts);
+        numerical[c]     = unit[c] * numerical_error(c, value.parts, phi_deg, load_level);
+      }
     for (std::size_t c = 0; c < 4; ++c)
       {
-        value.interpolation[c] = interpolation[c](x) * unit[c];
-        value.numerical[c]     = numerical[c](x) * unit[c];
+        value.interpolation[c] = interpolation[c];
+        value.numerical[c]     = numerical[c];
         value.misfit[c]        = misfit[c](x);
       }
-    value.approach_error = interpolation[4](x) + numerical[4](x);
-    value.residual_error = (interpolation[5](x) + numerical[5](x)) * value.approach;
+    value.approach_error = interpolation[4] + numerical[4];
+    value.residual_error = interpolation[5] + numerical[5];
     return value;
   }
 } // namespace dpcontact

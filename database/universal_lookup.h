@@ -20,6 +20,20 @@ namespace dpcontact
   /// @throws InputError naming the axis and its range where the value lies outside and must not.
   void check_range(const std::string &axis, double value, double low, double high, Outside outside);
 
+  /// What a lookup states an uncertainty of: ln a, b, ln m, n, ln(δ/δ_y), δ_res/δ.
+  constexpr std::size_t n_outcomes = 6;
+  using Outcome                    = std::array<double, n_outcomes>;
+
+  /// What the table itself tells about how wrong an interpolated value is.
+  enum UncertaintyPart
+  {
+    rough_along_nu,    ///< how far the nodes around are from the cubic through their neighbours
+    rough_along_phi,   ///< likewise, along φ
+    rough_along_level, ///< likewise, along ln Λ
+    stated_by_nodes,   ///< the numerical error that the nodes around state
+    n_parts
+  };
+
   /// What the universal table says about one load level.
   struct UniversalValue
   {
@@ -32,6 +46,7 @@ namespace dpcontact
     std::array<double, 4> misfit;         ///< of the power laws
     double                approach_error; ///< of ln(approach): numerical and interpolation
     double                residual_error; ///< of residual_approach, likewise, in δ_y
+    std::array<Outcome, n_parts> parts;   ///< what these errors are shares of
   };
 
   /// The universal table at one ν and φ, interpolated over them as the contact law does
@@ -40,11 +55,10 @@ namespace dpcontact
   /// recovered approach to Hertz's, of either power law to the peak, and b and n. Below first yield
   /// everything is Hertz's in closed form.
   ///
-  /// The error of interpolation is read off the table: how far a lower order is from the value,
-  /// along ν the polynomial through every second node, along φ the cubic through four nodes, along
-  /// ln Λ what four levels make of the one between them, which shows how the nodes scatter as well.
-  /// Of these and of the numerical errors that the nodes state, shares count that were calibrated
-  /// on materials that are not in the table, and verified on others (runs/held_out).
+  /// The errors are read off the table (UncertaintyPart): along each axis how far the nodes around
+  /// are from what their neighbours make of them, which shows how coarse the grid is and how they
+  /// scatter; and the numerical errors that they state. Of these, shares count that runs/calibrate
+  /// found for materials that are not in the table; others verify them (runs/held_out).
   class UniversalFamily
   {
   public:
@@ -67,9 +81,10 @@ namespace dpcontact
     double                                     onset_level;
     std::vector<double>                        levels; ///< Λ
     std::vector<std::function<double(double)>> smooth; ///< over ln Λ
-    /// Over ln Λ, linear: the stated errors of ln a, b, ln m, n, ln(approach) and of the residual
-    /// over the peak approach; and the misfit of a, b, m, n.
-    std::vector<std::function<double(double)>> interpolation, numerical, misfit;
+    double                                     phi_deg;
+    /// Over ln Λ, linear: the misfit of a, b, m, n; every part of the uncertainty of every outcome.
+    std::vector<std::function<double(double)>>                                 misfit;
+    std::array<std::array<std::function<double(double)>, n_outcomes>, n_parts> parts;
   };
 } // namespace dpcontact
 

@@ -105,7 +105,12 @@ namespace dpcontact
            [&](const double x) { return x > residual ? m * std::pow(x - residual, n) : 0.; },
            level)},
                           {"misfit", row.at("rmse")},
+                          {"resolution", row.at("resolution")},
                           {"step_error", row.at("step_error")}};
+      result["approach"] = {{"error", value.approach / loading.back().first - 1},
+                            {"stated", value.approach_error}};
+      for (const Outcome &part : value.parts)
+        result["parts"].push_back(part);
       const double found          = row.at("residual_approach");
       result["residual_approach"] = {
         {"error", (value.residual_approach - found) / loading.back().first},
@@ -114,6 +119,7 @@ namespace dpcontact
         {
           const double computed = row.at(names[c]);
           result[names[c]]      = {
+                 {"computed", computed},
                  {"error", value.coefficients[c] / computed - 1},
                  {"stated", (value.numerical[c] + value.interpolation[c]) / std::abs(computed)},
                  {"misfit", row.at("error").at(names[c]).at("fit").get<double>() / std::abs(computed)}};
@@ -142,7 +148,7 @@ namespace dpcontact
         total["failed"]    = failed;
         total["loading"]   = summary(loading, .003);
         total["unloading"] = summary(unloading, .005);
-        for (const char *const name : {"a", "b", "m", "n", "residual_approach"})
+        for (const char *const name : {"a", "b", "m", "n", "approach", "residual_approach"})
           {
             std::vector<double> errors, ratios, misfits;
             double              covered = 0;
