@@ -69,20 +69,40 @@ namespace dpcontact
     }
 
     /// At every node of an axis, how far it is from the cubic through the two before and the two
-    /// behind; next to the ends that of the nearest with such neighbours.
+    /// behind, with less than five nodes the straight line through its neighbours; next to the ends
+    /// that of the nearest with such neighbours. Two nodes tell their difference only.
     std::vector<Outcome> roughness(const std::vector<double> &x, const std::vector<Outcome> &y)
     {
-      const std::size_t    n = x.size();
-      std::vector<Outcome> result(n, Outcome{});
-      for (std::size_t k = 0; n > 4 && k < n; ++k)
+      const std::size_t n = x.size();
+      if (n < 3)
         {
-          const std::size_t         at = std::clamp<std::size_t>(k, 2, n - 3);
-          const std::vector<double> neighbours{x[at - 2], x[at - 1], x[at + 1], x[at + 2]};
-          const auto                weights = contact_law_detail::lagrange(neighbours, 0, 4, x[at]);
-          for (std::size_t c = 0; c < n_outcomes; ++c)
-            result[k][c] =
-              std::abs(weights[0] * y[at - 2][c] + weights[1] * y[at - 1][c] +
-                       weights[2] * y[at + 1][c] + weights[3] * y[at + 2][c] - y[at][c]);
+          Outcome apart = y.back();
+          add(apart, -1, y.front());
+          for (double &value : apart)
+            value = std::abs(value);
+          return std::vector<Outcome>(n, apart);
+        }
+      const std::size_t    reach = n < 5 ? 1 : 2;
+      std::vector<Outcome> result;
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const std::size_t        at = std::clamp(k, reach, n - 1 - reach);
+          std::vector<double>      neighbours;
+          std::vector<std::size_t> places;
+          for (std::size_t i = at - reach; i <= at + reach; ++i)
+            if (i != at)
+              {
+                neighbours.push_back(x[i]);
+                places.push_back(i);
+              }
+          const auto weights = contact_law_detail::lagrange(neighbours, 0, places.size(), x[at]);
+          Outcome    apart{};
+          add(apart, -1, y[at]);
+          for (std::size_t i = 0; i < places.size(); ++i)
+            add(apart, weights[i], y[places[i]]);
+          for (double &value : apart)
+            value = std::abs(value);
+          result.push_back(apart);
         }
       return result;
     }

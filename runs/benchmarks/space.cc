@@ -1,6 +1,6 @@
 // What one elastic and one plastic step cost in space, and what the linear solver does in them.
 // Run, also under mpirun: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER
-// ANGLE (as `dpcontact solve` names them); prints JSON.
+// ANGLE (as `dpcontact solve` names them); prints JSON, and every finished step to standard error.
 #include "solver/contact_model.h"
 #include "solver/environment.h"
 #include "solver/first_yield.h"
@@ -56,6 +56,8 @@ namespace
                                  {"linear_solves", system.linear_solves() - solves},
                                  {"linear_iterations", system.linear_iterations() - iterations},
                                  {"seconds", seconds() - since}});
+      if (processes.rank() == 0)
+        std::cerr << "dpcontact_space: " << result["steps"].back().dump() << std::endl;
       solves     = system.linear_solves();
       iterations = system.linear_iterations();
       since      = seconds();
