@@ -123,4 +123,46 @@ namespace
     coarse.loading[4].approach -= 0.3;
     EXPECT_THROW(extrapolate_steps(coarse, fine), SolverError);
   }
+
+  /// Loading whose approach is off by the share `error`/n everywhere and by ±`jump` in turn
+  /// besides, from the lower half of the branch's points on; released along the same points.
+  Curve jumping(const unsigned int n, const double error, const double jump)
+  {
+    Curve curve;
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double t = static_cast<double>(i) / n;
+        CurvePoint   p = point(peak_force * t * t * t, 0, 0);
+        p.approach *= 1 + error / n + (2 * i > n && i < n ? (i % 2 == 0 ? jump : -jump) : 0);
+        curve.loading.push_back(p);
+      }
+    curve.unloading = with_steps(n, 0).unloading;
+    for (CurvePoint &p : curve.unloading)
+      p.approach += curve.loading.back().approach - exact_approach(peak_force);
+    return curve;
+  }
+
+  TEST(step_extrapolation, smooth_is_exact_where_the_error_is_a_share_of_the_approach)
+  {
+    const auto coarse = jumping(32, error_scale, 0), fine = jumping(64, error_scale, 0);
+    const auto result = extrapolate_steps_smoothly(coarse, fine, 1);
+    for (std::size_t i = 1; i < result.loading.size(); ++i)
+      EXPECT_NEAR(result.loading[i].approach / exact_approach(result.loading[i].force), 1, 1e-13);
+    for (const CurvePoint &p : result.unloading)
+      EXPECT_NEAR(p.approach, exact_approach(p.force), 1e-13);
+    // Over the approach the difference of the two is half the coarse one's error.
+    EXPECT_GT(smooth_step_difference(coarse, fine), 0.5 * error_scale / 64);
+  }
+
+  TEST(step_extrapolation, smooth_passes_over_jumps_that_are_larger_than_a_step)
+  {
+    const double jump   = 0.05; // twice that is more than the last step of the coarse path adds
+    const auto   coarse = jumping(32, error_scale, jump), fine = jumping(64, error_scale, 0);
+    EXPECT_THROW(extrapolate_steps(coarse, fine, 1), StepsTooLarge);
+    const auto result = extrapolate_steps_smoothly(coarse, fine, 1);
+    for (std::size_t i = 1; i < result.loading.size(); ++i)
+      EXPECT_NEAR(
+        result.loading[i].approach / exact_approach(result.loading[i].force), 1, jump / 4);
+    EXPECT_LT(smooth_step_difference(coarse, fine), step_difference(coarse, fine) / 2);
+  }
 } // namespace
