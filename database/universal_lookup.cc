@@ -142,23 +142,26 @@ namespace dpcontact
     }
 
     // The stated uncertainty of each outcome, by runs/calibrate. It adds
-    // - a share of the roughness;
-    constexpr Outcome rough_share{.053, .23, .16, .099, .0025, .21};
-    // - a share of what the nodes state, times powers of φ/30° up to 1 and of Λ from 1 on. They
+    // - shares of the roughness. Along Λ it is scatter of the rows, which the loading curve, one
+    //   through many of them, smooths: of a next to nothing counts;
+    constexpr Outcome rough_share{.3, .38, .31, .28, .12, .13}; // along ν and along φ
+    constexpr Outcome rough_level_share{9.1e-4, .064, .21, .17, .046, .33};
+    // - a share of what the nodes state, times powers of φ/30° up to 1 and of Λ from 1 to 200. They
     //   state the errors of loading by the plastic excess of the approach, which low friction makes
     //   large without making the loading curve less accurate;
-    constexpr Outcome numerical_share{.052, .51, .037, .0057, .4, .089};
-    constexpr Outcome numerical_phi_exponent{1.3, 1.3, .77, .083, .49, 0};
-    constexpr Outcome numerical_level_exponent{.45, -.077, .28, .5, .12, .18};
+    constexpr Outcome numerical_share{.084, .56, .0064, 9.1e-4, .72, .1};
+    constexpr Outcome numerical_phi_exponent{1.4, 1.8, .096, 2, .41, .26};
+    constexpr Outcome numerical_level_exponent{.3, -.095, -.13, -.3, -.016, .25};
+    constexpr double  lowest_weighted_level = 1, highest_weighted_level = 200;
     // - a floor, of some falling with Λ: just past first yield next to nothing is left of the
     //   approach.
-    constexpr Outcome floor_error{1.4e-4, 6.1e-6, 2e-4, 3.1e-4, 7.5e-5, 6.1e-6};
-    constexpr Outcome floor_exponent{.3, .3, 0, 0, .15, .3};
+    constexpr Outcome floor_error{1e-4, 6.1e-6, 1.2e-4, 2.3e-4, 2.9e-5, 6.1e-6};
+    constexpr Outcome floor_exponent{.6, 0, 0, .066, 0, .6};
 
     double interpolation_error(const std::size_t c, const std::array<Outcome, n_parts> &parts)
     {
-      return rough_share[c] *
-             (parts[rough_along_nu][c] + parts[rough_along_phi][c] + parts[rough_along_level][c]);
+      return rough_share[c] * (parts[rough_along_nu][c] + parts[rough_along_phi][c]) +
+             rough_level_share[c] * parts[rough_along_level][c];
     }
 
     double numerical_error(const std::size_t                   c,
@@ -166,11 +169,11 @@ namespace dpcontact
                            const double                        phi_deg,
                            const double                        load_level)
     {
-      const double level = std::max(load_level, 1.);
+      const double level = std::max(load_level, lowest_weighted_level);
       return floor_error[c] * std::pow(level, -floor_exponent[c]) +
              numerical_share[c] * parts[stated_by_nodes][c] *
                std::pow(std::min(phi_deg / 30, 1.), numerical_phi_exponent[c]) *
-               std::pow(level, numerical_level_exponent[c]);
+               std::pow(std::min(level, highest_weighted_level), numerical_level_exponent[c]);
     }
 
     constexpr std::array<double UniversalNode::*, 4> misfit_members{&UniversalNode::a_misfit,
