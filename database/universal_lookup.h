@@ -58,7 +58,8 @@ namespace dpcontact
   /// The errors are read off the table (UncertaintyPart): along each axis how far the nodes around
   /// are from what their neighbours make of them, which shows how coarse the grid is and how they
   /// scatter; and the numerical errors that they state. Of these, shares count that runs/calibrate
-  /// found for materials that are not in the table; others verify them (runs/held_out).
+  /// found for materials that are not in the table; others verify them (runs/held_out). Outside the
+  /// table's box they say nothing.
   class UniversalFamily
   {
   public:

@@ -37,6 +37,17 @@ namespace dpcontact
           "only; solve computes the others");
     }
 
+    /// Outside the data none is known.
+    void forget_uncertainty(LookupResult &result)
+    {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      result.uncertainty.fill(unknown);
+      result.published_uncertainty.fill(unknown);
+      for (auto &part : result.parts)
+        part.fill(unknown);
+      result.peak_approach_uncertainty = result.residual_approach_uncertainty = unknown;
+    }
+
     /// Approaches of the power laws, and the first order of their uncertainty.
     void enter_approaches(LookupResult &result)
     {
@@ -189,6 +200,22 @@ namespace dpcontact
   LookupResult LookupTable::at(const Case &input, const Outside outside) const
   {
     require_similar(input);
+    if (outside == Outside::refuse)
+      return estimate(input, outside);
+    try
+      {
+        return estimate(input, Outside::refuse);
+      }
+    catch (const InputError &)
+      {
+        LookupResult result = estimate(input, outside);
+        forget_uncertainty(result);
+        return result;
+      }
+  }
+
+  LookupResult LookupTable::estimate(const Case &input, const Outside outside) const
+  {
     LookupResult result{};
     result.method     = content->method;
     result.yield      = first_yield(input.material, input.scene.radius);
@@ -320,20 +347,26 @@ namespace dpcontact
     const auto length = [](const double value) {
       return format_quantity(value, Dimension::length);
     };
+    const auto plus_minus = [](const double uncertainty, const Dimension dimension) {
+      return std::isnan(uncertainty) ? "" : " +- " + format_quantity(uncertainty, dimension);
+    };
     std::string text = label(input) + "\n" + describe(result.yield) + "\nby        " +
                        to_string(result.method) + ", F_max/F_y = " + number(result.load_level) +
                        "\nlaw       ";
     for (std::size_t c = 0; c < 4; ++c)
       text += (c ? ", " : "") + std::string(1, "abmn"[c]) + " = " + number(result.coefficients[c]) +
-              " +- " + number(result.uncertainty[c]);
+              plus_minus(result.uncertainty[c], Dimension::number);
     text += "\n          published convention (approach_y per sphere): a = " +
-            number(result.published[0]) + " +- " + number(result.published_uncertainty[0]) +
-            ", m = " + number(result.published[2]) + " +- " +
-            number(result.published_uncertainty[2]);
-    return text + "\npeak      approach " + length(result.peak_approach) + " +- " +
-           length(result.peak_approach_uncertainty) + "\nreleased  residual approach " +
-           length(result.residual_approach) + " +- " +
-           length(result.residual_approach_uncertainty) + ", by eq (18) " +
+            number(result.published[0]) +
+            plus_minus(result.published_uncertainty[0], Dimension::number) +
+            ", m = " + number(result.published[2]) +
+            plus_minus(result.published_uncertainty[2], Dimension::number);
+    if (std::isnan(result.uncertainty[0]))
+      text += "\n          of unknown uncertainty";
+    return text + "\npeak      approach " + length(result.peak_approach) +
+           plus_minus(result.peak_approach_uncertainty, Dimension::length) +
+           "\nreleased  residual approach " + length(result.residual_approach) +
+           plus_minus(result.residual_approach_uncertainty, Dimension::length) + ", by eq (18) " +
            length(result.residual_eq18) + "\n";
   }
 

@@ -56,10 +56,13 @@ namespace dpcontact
     LookupTable(LookupTable &&) noexcept;
 
     /// @throws InputError for what the table does not cover: another criterion, hardening, and the axis
-    /// and its range where the scene lies outside and `outside` refuses.
+    /// and its range where the scene lies outside and `outside` refuses. Otherwise no uncertainty
+    /// is known there: NaN.
     LookupResult at(const Case &input, Outside outside = Outside::refuse) const;
 
   private:
+    LookupResult estimate(const Case &input, Outside outside) const;
+
     struct Content;
     std::unique_ptr<Content> content;
   };

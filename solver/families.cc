@@ -1,8 +1,8 @@
 #include "solver/families.h"
 
 #include "meshing/errors.h"
-#include "solver/elastic_solution.h"
 #include "solver/contact_model.h"
+#include "solver/elastic_solution.h"
 #include "solver/hertz.h"
 #include "solver/pilot.h"
 #include "solver/step_extrapolation.h"
@@ -95,6 +95,7 @@ namespace dpcontact
         {
           solution.curve      = extrapolate_steps_smoothly(coarse, fine);
           solution.step_error = share_of_difference * smooth_step_difference(coarse, fine);
+          solution.warnings.emplace_back(smooth_extrapolation_warning);
         }
     }
 

@@ -286,6 +286,7 @@ namespace dpcontact
               (options.loading_steps > 0 ||
                (solution.step_error <= options.step_tolerance && !fine_was_cut && !coarse_was_cut)))
             {
+              solution.warnings.emplace_back(smooth_extrapolation_warning);
               used.loading_steps = steps;
               break;
             }

@@ -41,6 +41,11 @@ namespace dpcontact
   Curve
   extrapolate_steps_smoothly(const Curve &coarse, const Curve &fine, double order = step_order);
 
+  /// What a solution of it carries among its warnings.
+  constexpr const char *smooth_extrapolation_warning =
+    "load step: its error jumps where the contact's edge moves from node to node; the smooth part "
+    "is extrapolated, and of loading step_error holds that alone";
+
   /// Largest difference of the two paths' force over the peak force, of loading its smooth part.
   double smooth_step_difference(const Curve &coarse, const Curve &fine);
 

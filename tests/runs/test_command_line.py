@@ -207,6 +207,16 @@ class Solve(program.TestCase):
         self.assertIn("warning", result.stderr)
         self.assertNotIn("warning", self.succeed("solve", *TYPE_1, *self.COARSE).stderr)
 
+    def test_steps_that_only_the_smooth_extrapolation_makes_a_curve_of_are_warned_of(self):
+        def solve(steps):
+            return self.document("solve", "--E", "10GPa", "--nu", "0.4", "--phi", "2", "--sigma-c", "15MPa",
+                                 "--load-level", "8000", "--resolution", "8", "--surface-halvings", "0",
+                                 "--loading-steps", steps)
+        rough, fine = solve(64), solve(256)
+        self.assertIn("load step", rough["warnings"])
+        # within what is stated, which is of the force and of the approach some four fifths
+        self.assertLess(abs(rough["peak"]["approach"] / fine["peak"]["approach"] - 1), rough["step_error"])
+
 
 class Usage(program.TestCase):
     def test_misuse(self):
