@@ -1,6 +1,8 @@
 """Runs the program under test, whose path is the first argument of the script."""
 
 import contextlib
+import importlib.machinery
+import importlib.util
 import json
 import os
 import pathlib
@@ -10,9 +12,18 @@ import tempfile
 import unittest
 
 PROGRAM = None
+RUNS = pathlib.Path(__file__).resolve().parents[2] / "runs"
 
 # meshing/errors.h
 SUCCESS, INTERNAL, USAGE, BAD_INPUT, FILE, SOLVER, MISMATCH, CORRUPT, INCOMPLETE = range(9)
+
+
+def load_script(name):
+    """A script of runs/ as a module; their names have no ending."""
+    loader = importlib.machinery.SourceFileLoader(name, str(RUNS / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
 
 
 class TestCase(unittest.TestCase):

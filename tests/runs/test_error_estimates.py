@@ -1,21 +1,10 @@
 """The estimated errors against studies of materials that the estimate was not calibrated on."""
 
-import importlib.machinery
-import importlib.util
-import pathlib
 import json
 import sys
 import unittest
 
-RUNS = pathlib.Path(__file__).resolve().parents[2] / "runs"
-
-
-def load(name):
-    """A script of runs/ as a module; their names have no ending."""
-    loader = importlib.machinery.SourceFileLoader(name, str(RUNS / name))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
-    loader.exec_module(module)
-    return module
+import program
 
 
 class Estimates(unittest.TestCase):
@@ -53,6 +42,6 @@ class Estimates(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    STUDY = load("error_study")
+    STUDY = program.load_script("error_study")
     STUDY.PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
     unittest.main(verbosity=2)

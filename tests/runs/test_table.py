@@ -148,7 +148,11 @@ class Lookup(program.TestCase):
             message = self.fail_with(BAD_INPUT, "lookup", *words)
             self.assertIn(name, message)
             self.assertIn("--extrapolate", message)
-            self.lookup(*words, "--extrapolate")
+            found = self.lookup(*words, "--extrapolate")
+            self.assertIn("m", found["fit"])
+            for known in ["uncertainty", "published_uncertainty", "uncertainty_parts"]:
+                self.assertNotIn(known, found)  # as the message says
+        self.assertIn("uncertainty", self.lookup(*TYPE_1, "--extrapolate"))
         message = self.fail_with(BAD_INPUT, "lookup", *TYPE_1[:-1], "80MPa", "--method", "kriging")
         self.assertIn("sigma", message)
 
@@ -199,7 +203,7 @@ class Evaluate(program.TestCase):
     def test_held_out_materials(self):
         """The claims on the universal table, on curves computed after it had been settled."""
         found = self.document("evaluate", "--held-out-only")["summary"]
-        self.assertGreaterEqual(found["materials"], 120)
+        self.assertGreaterEqual(found["materials"], 200)
         self.assertEqual(found["failed"], 0)
         self.assertLess(found["loading"]["rms"], .003)
         self.assertEqual(found["loading"]["within"], 1)
@@ -208,24 +212,27 @@ class Evaluate(program.TestCase):
         self.assertGreaterEqual(found["unloading"]["within"], .85)
         for name in NAMES:
             with self.subTest(coefficient=name):
-                self.assertGreaterEqual(found[name]["compared"], 100)
+                self.assertGreaterEqual(found[name]["compared"], 180)
                 self.assertLess(found[name]["median"], .003)
                 self.assertGreaterEqual(found[name]["covered"], .9)
-                # The aim is 4; of a it is 4.33, as the README says.
-                self.assertLess(found[name]["median_ratio"], 4.4 if name == "a" else 4)
+                self.assertLess(found[name]["median_ratio"], 4)
                 # apart from the error: how well a power law describes the curve at all
                 self.assertGreater(found[name]["misfit_median"], 0)
 
     def test_held_out_materials_are_not_those_of_the_calibration(self):
-        def materials(*names):
-            documents = [json.loads((DATABASE.parent / "runs" / name).read_text(encoding="utf-8"))
-                         for name in names]
-            return [row["material"] for each in documents for part in ("box", "paper")
-                    for row in each[part]]
-
-        verified = materials("held_out.json")
-        calibrated = materials("held_out_calibration.json", "held_out_first.json",
-                               "held_out_second.json")
+        script = program.load_script("held_out")
+        calibrate = (program.RUNS / "calibrate").read_text(encoding="utf-8")
+        drawn = {}
+        for name, curves in script.SETS.items():
+            self.assertEqual(f'"{name}"' in calibrate, name != "verification", name)
+            found = json.loads((program.RUNS / f"{curves.name}.json").read_text(encoding="utf-8"))
+            self.assertEqual(found["seed"], curves.seed, name)
+            self.assertEqual(found["command"], f"runs/held_out --set {name}")
+            drawn[name] = [row["material"] for part in ("box", "paper") for row in found[part]]
+            self.assertEqual(drawn[name], script.materials(curves.seed, curves.count) +
+                             script.paper_materials(curves.seed), name)
+        verified = drawn.pop("verification")
+        calibrated = sum(drawn.values(), [])
         self.assertFalse([material for material in verified if material in calibrated])
         nodes = {(row["nu"], row["phi_deg"]) for row in table("universal.csv")}
         self.assertFalse([material for material in verified
