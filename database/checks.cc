@@ -368,6 +368,8 @@ namespace dpcontact
                     {"b", node.b, 1.5},
                     {"m", node.m, 1.},
                     {"n", node.n, 1.5},
+                    {"m_law", node.m_law, 1.},
+                    {"n_law", node.n_law, 1.5},
                     {"approach", node.approach, std::pow(node.load_level, 2. / 3)}})
                 if (!close(value, expected, elastic_tolerance))
                   findings.add(
@@ -387,6 +389,13 @@ namespace dpcontact
               {"the unloading law at the peak", node.m * std::pow(recovered, node.n)}})
           if (!close(law, node.load_level, 0.05))
             findings.add(Grade::error, where, versus(name, law, node.load_level));
+        const double by_law =
+          node.approach - std::pow(node.load_level / node.m_law, 1 / node.n_law);
+        if (!(std::abs(by_law - node.residual_approach) < 0.05 * node.approach))
+          findings.add(
+            Grade::error,
+            where,
+            versus("the contact law's residual approach", by_law, node.residual_approach));
         places.push_back(
           {std::log(node.load_level), {std::log(node.a), node.b, std::log(node.m), node.n}, where});
         if (places.size() == table.load_level().size())

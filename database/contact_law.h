@@ -393,7 +393,7 @@ namespace dpcontact
   {
     std::vector<double> nu, phi, load_level; ///< ascending; φ in degrees, Λ
     /// Over (ν, φ, Λ), Λ fastest: δ/δ_y when F first reaches Λ F_y; δ_res/δ_y after release from
-    /// there; m and n, eq (17).
+    /// there; m and n, eq (17), of a branch that goes through the peak.
     std::vector<double> approach, residual, m, n;
 
     std::size_t index(const std::size_t i, const std::size_t k, const std::size_t l) const
@@ -401,14 +401,14 @@ namespace dpcontact
       return (i * phi.size() + k) * load_level.size() + l;
     }
 
-    /// Reads CSV with the columns nu, phi_deg, load_level, approach, residual_approach, m, n in any
-    /// order, others ignored; lines that begin with '#' are comments. Every (ν, φ) has every Λ,
-    /// once.
+    /// Reads CSV with the columns nu, phi_deg, load_level, approach, residual_approach, m_law,
+    /// n_law in any order, others ignored; lines that begin with '#' are comments. Every (ν, φ) has
+    /// every Λ, once.
     /// @throws std::runtime_error saying what is wrong and in which line.
     static ContactTable read(std::istream &stream)
     {
       const std::vector<std::string> names{
-        "nu", "phi_deg", "load_level", "approach", "residual_approach", "m", "n"};
+        "nu", "phi_deg", "load_level", "approach", "residual_approach", "m_law", "n_law"};
       std::map<std::tuple<double, double, double>, std::vector<double>> rows;
       std::vector<std::size_t>                                          column;
       std::size_t                                                       line_number = 0;
@@ -452,9 +452,9 @@ namespace dpcontact
             fail("nu, phi_deg or load_level is out of range");
           if (!(row[3] > 0) || !(std::abs(row[4]) < row[3]) || row[4] < -1e-3 * row[3] ||
               !(row[5] > 0) || !(row[6] > 0))
-            fail(
-              "approach, m and n must be positive, residual_approach from 0 (but for rounding) to "
-              "below approach");
+            fail("approach, m_law and n_law must be positive, residual_approach from 0 (but for "
+                 "rounding) to "
+                 "below approach");
           if (!rows.emplace(std::tuple(row[0], row[1], row[2]), row).second)
             fail("this nu, phi_deg and load_level stand there twice");
         }

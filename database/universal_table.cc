@@ -4,6 +4,7 @@
 #include "database/files.h"
 #include "database/text.h"
 #include "fitting/power_law.h"
+#include "fitting/resample.h"
 #include "fitting/smooth_curve.h"
 #include "meshing/errors.h"
 
@@ -83,6 +84,20 @@ namespace dpcontact
       return fit_power_law(x, y);
     }
 
+    /// Enters the branch that a contact law goes down, its width relative to the approach as the
+    /// row's.
+    void enter_law(const Record &row, UniversalNode &node)
+    {
+      const ResampledBranch branch =
+        resample(row.curve, Branch::unloading, n_fit_points); // as fit_curve()
+      const PowerLaw law =
+        fit_through_peak(branch.x, branch.force, row.curve.loading.back().approach);
+      const double width =
+        (branch.x.back() - law.origin) / row.curve.loading.back().approach * node.approach;
+      node.n_law = law.exponent;
+      node.m_law = node.load_level / std::pow(width, node.n_law);
+    }
+
     UniversalNode node_of(const Record &row, const Excess &excess)
     {
       UniversalNode node;
@@ -101,7 +116,8 @@ namespace dpcontact
       node.b                    = loading.law.exponent;
       node.m                    = row.m;
       node.n                    = row.n;
-      const double log_level    = std::log(row.load_level);
+      enter_law(row, node);
+      const double log_level = std::log(row.load_level);
       // what the step leaves in the force, as an approach
       node.approach_error =
         excess.curve.scatter(log_level - 0.6, log_level + 0.6) + row.step_error / row.b;
@@ -165,6 +181,11 @@ namespace dpcontact
       {"residual_approach", "1", "delta_res/delta_y after release", &N::residual_approach},
       {"m", "1", "unloading F/F_y = m ((delta - delta_res)/delta_y)^n", &N::m},
       {"n", "1", "exponent of unloading", &N::n},
+      {"m_law",
+       "1",
+       "unloading as the contact law does: through the peak, delta_res by eq (18)",
+       &N::m_law},
+      {"n_law", "1", "its exponent", &N::n_law},
       {"a", "1", "loading F/F_y = a (delta/delta_y)^b up to Lambda", &N::a},
       {"b", "1", "exponent of loading", &N::b},
       {"approach_error", "1", "numerical error of ln(approach)", &N::approach_error},

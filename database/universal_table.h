@@ -21,6 +21,9 @@ namespace dpcontact
     double approach          = unset; ///< δ/δ_y where F = Λ F_y on the virgin loading curve
     double residual_approach = unset; ///< δ_res/δ_y after release from Λ
     double a = unset, b = unset, m = unset, n = unset; ///< eqs (16), (17) of the path to Λ
+    /// m, n of the branch that a contact law goes down: through the peak, with eq (18)'s δ_res
+    /// (fit_through_peak()).
+    double m_law = unset, n_law = unset;
 
     double approach_error          = unset; ///< numerical error of ln(approach)
     double residual_approach_error = unset; ///< numerical error, in δ_y

@@ -27,11 +27,12 @@ namespace dpcontact
 
   /// The universal table against held-out curves over its whole box: of each the force error of the
   /// master curve over loading and of the law over unloading (root mean square over the approach,
-  /// over the peak force), the errors of a, b, m, n beside what is stated, the power laws' own
-  /// misfit; and a summary, whose `within` is the share of materials within `goal`, and `covered`
-  /// the share, of those that yield, whose error is at most what is stated. The curves' own
-  /// numerical error is not allowed for: it counts as the table's. Stated are the parts for
-  /// interpolation and numerical error; a curve on a half-space has no finite radius.
+  /// over the peak force), the error of the law's residual overlap over the peak overlap, the
+  /// errors of a, b, m, n beside what is stated, the power laws' own misfit; and a summary, whose
+  /// `within` is the share of materials within `goal`, and `covered` the share, of those that
+  /// yield, whose error is at most what is stated. The curves' own numerical error is not allowed
+  /// for: it counts as the table's. Stated are the parts for interpolation and numerical error; a
+  /// curve on a half-space has no finite radius.
   /// @throws CorruptData where `held_out` is no such document.
   Json compare_held_out(const UniversalTable &table, const Json &held_out);
 

@@ -1,8 +1,10 @@
+#include "database/contact_law.h"
 #include "meshing/errors.h"
 #include "runs/evaluation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace dpcontact
 {
@@ -77,7 +79,7 @@ namespace dpcontact
               {"within", within / count}};
     }
 
-    Json compare_one(const UniversalTable &table, const Json &row)
+    Json compare_one(const UniversalTable &table, const ContactTable &of_law, const Json &row)
     {
       const Json           &material = row.at("material");
       const double          level    = material.at("load-level");
@@ -87,31 +89,31 @@ namespace dpcontact
                    unloading        = points_of(row.at("unloading"));
 
       // The law does not know the peak force: it follows the overlap, and unloads from where it is.
-      const double         peak_level = level_at(family, loading.back().first);
-      const UniversalValue at_peak    = family.at(peak_level, Outside::extrapolate);
-      const double         m = at_peak.coefficients[2], n = at_peak.coefficients[3];
-      const double         residual = loading.back().first - std::pow(peak_level / m, 1 / n);
-      Json                 result   = {
-                          {"nu", material.at("nu")},
-                          {"phi_deg", material.at("phi")},
-                          {"load_level", level},
-                          {"yields", level > family.onset()},
-                          {"loading",
-                           mean_error(
-           loading, [&](const double x) { return level_at(family, x); }, level)},
-                          {"unloading",
-                           mean_error(
-           unloading,
-           [&](const double x) { return x > residual ? m * std::pow(x - residual, n) : 0.; },
-           level)},
-                          {"misfit", row.at("rmse")},
-                          {"resolution", row.at("resolution")},
-                          {"step_error", row.at("step_error")}};
+      const ContactPair law =
+        ContactLaw::universal({1., material.at("nu"), material.at("phi"), 1e-3}, of_law).pair(1.);
+      ContactState state;
+      const auto   follow = [&](const double x) {
+        return law.evaluate(x * law.approach_yield(), state).force / law.force_yield();
+      };
+      follow(loading.back().first);
+      Json result        = {{"nu", material.at("nu")},
+                            {"phi_deg", material.at("phi")},
+                            {"load_level", level},
+                            {"yields", level > family.onset()},
+                            {"loading",
+                             mean_error(
+                        loading, [&](const double x) { return level_at(family, x); }, level)},
+                            {"unloading", mean_error(unloading, follow, level)},
+                            {"misfit", row.at("rmse")},
+                            {"resolution", row.at("resolution")},
+                            {"step_error", row.at("step_error")}};
       result["approach"] = {{"error", value.approach / loading.back().first - 1},
                             {"stated", value.approach_error}};
       for (const Outcome &part : value.parts)
         result["parts"].push_back(part);
       const double found          = row.at("residual_approach");
+      const double by_law         = law.coefficients(state.peak_overlap).residual;
+      result["law_residual"]      = (by_law / law.approach_yield() - found) / loading.back().first;
       result["residual_approach"] = {
         {"error", (value.residual_approach - found) / loading.back().first},
         {"stated", value.residual_error / loading.back().first}};
@@ -135,19 +137,24 @@ namespace dpcontact
         Json                rows = Json::array(), total;
         std::vector<double> loading, unloading, residuals;
         std::size_t         failed = 0;
+        std::stringstream   text;
+        table.write(text);
+        const ContactTable of_law = ContactTable::read(text);
         for (const Json &row : held_out.at("box"))
           if (row.contains("failed"))
             ++failed;
           else
             {
-              rows.push_back(compare_one(table, row));
+              rows.push_back(compare_one(table, of_law, row));
               loading.push_back(rows.back()["loading"]);
               unloading.push_back(rows.back()["unloading"]);
+              residuals.push_back(std::abs(rows.back()["law_residual"].get<double>()));
             }
-        total["materials"] = rows.size();
-        total["failed"]    = failed;
-        total["loading"]   = summary(loading, .003);
-        total["unloading"] = summary(unloading, .005);
+        total["materials"]    = rows.size();
+        total["failed"]       = failed;
+        total["loading"]      = summary(loading, .003);
+        total["unloading"]    = summary(unloading, .005);
+        total["law_residual"] = summary(residuals, .005);
         for (const char *const name : {"a", "b", "m", "n", "approach", "residual_approach"})
           {
             std::vector<double> errors, ratios, misfits;

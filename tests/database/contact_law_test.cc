@@ -346,7 +346,7 @@ namespace
   TEST(contact_law, reads_tables_and_says_what_is_wrong_with_them)
   {
     std::ostringstream text;
-    text << "# comment\nphi_deg,nu,extra,load_level,m,approach,n,residual_approach\r\n";
+    text << "# comment\nphi_deg,nu,extra,load_level,m_law,approach,n_law,residual_approach\r\n";
     for (const double nu : {.1, .2})
       for (const double level : {16., 1., 4., 2., 8.}) // in any order
         text << "30," << nu << ",hello," << level << ",1.5," << std::pow(level, .7) << ",1.4,0.1\n";
@@ -371,11 +371,11 @@ namespace
     };
     refused("", "fewer than 5");
     refused(with("load_level", "level"), "line 2: the header lacks the column 'load_level'");
-    refused(with(",1.5,", ",many,"), "line 3: 'many' is no value of m");
-    refused(with(",1.5,", ",nan,"), "line 3: 'nan' is no value of m");
-    refused(with(",1.5,", ",1.5x,"), "line 3: '1.5x' is no value of m");
-    refused(with(",1.5,", ",-1,"), "line 3: approach, m and n must be positive");
-    refused(with(",1.4,0.1", ",1.4,9.1"), "line 3: approach, m and n");
+    refused(with(",1.5,", ",many,"), "line 3: 'many' is no value of m_law");
+    refused(with(",1.5,", ",nan,"), "line 3: 'nan' is no value of m_law");
+    refused(with(",1.5,", ",1.5x,"), "line 3: '1.5x' is no value of m_law");
+    refused(with(",1.5,", ",-1,"), "line 3: approach, m_law and n_law must be positive");
+    refused(with(",1.4,0.1", ",1.4,9.1"), "line 3: approach, m_law and n_law");
     refused(with(",1.4,0.1", ",1.4"), "line 3: '' is no value of residual_approach");
     refused(with("30,0.1", "95,0.1"), "line 3: nu, phi_deg or load_level is out of range");
     refused(with("30,0.1,hello,16", "30,0.1,hello,1"),

@@ -71,8 +71,7 @@ TEST(PowerLawFit, RecoversTheOriginToo)
       std::vector<double> x;
       for (const double v : uniform(36.4))
         x.push_back(27.3 + 36.4 * shift + v);
-      const PowerLawFit fit =
-        fit_power_law(x, values(law, x), 27.3 + 36.4 * shift, Origin::free);
+      const PowerLawFit fit = fit_power_law(x, values(law, x), 27.3 + 36.4 * shift, Origin::free);
       EXPECT_TRUE(fit.report.converged) << describe(fit.report.reason);
       EXPECT_EQ(fit.report.n_parameters, 3u);
       EXPECT_EQ(fit.report.rank, 3u);
@@ -83,8 +82,9 @@ TEST(PowerLawFit, RecoversTheOriginToo)
 }
 
 // Covariance in the units of the data times the normal matrix JᵀJ, summed up here from the unscaled
-// derivatives, is s² times the identity. Element (i, j) of the product has the size √(N_jj/N_ii) s²;
-// 1e-6: the condition of the unscaled problem times rounding, and parameters within 1e-9 of an error.
+// derivatives, is s² times the identity. Element (i, j) of the product has the size √(N_jj/N_ii)
+// s²; 1e-6: the condition of the unscaled problem times rounding, and parameters within 1e-9 of an
+// error.
 TEST(PowerLawFit, CovarianceInvertsTheNormalMatrix)
 {
   for (const double x_max : {2., 300.})
@@ -187,4 +187,56 @@ TEST(LawDifference, DifferentOrigins)
   EXPECT_NEAR(law_difference({1, 1, 0}, {1, 1, 0.25}, 3, 1), 0.25, 1e-12);
   // x − 2(x − 1/3)₊ on [0, 1] peaks in a kink at x = 1/3; the samples are refined to 1e-9.
   EXPECT_NEAR(law_difference({1, 1, 0}, {2, 1, 1. / 3}, 1, 1), 1. / 3, 1e-8);
+}
+
+// A branch that is a power law from its own end is found as such, in any unit.
+TEST(FitThroughPeak, RecoversExactData)
+{
+  for (const double x_max : {1e-6, 0.1, 300.})
+    for (const double exponent : {1.2, 1.5})
+      {
+        const std::vector<double> x = uniform(x_max);
+        const PowerLaw law = fit_through_peak(x, values({3e4, exponent, 0}, x), 1.2 * x_max);
+        EXPECT_NEAR(law.origin / x_max, 0, 1e-12);
+        EXPECT_NEAR(law.exponent, exponent, 1e-10);
+        EXPECT_NEAR(law.coefficient / 3e4, 1, 1e-9);
+      }
+}
+
+// Where none fits, the law goes through the peak, and no other origin or exponent makes the sum
+// that is asked for smaller.
+TEST(FitThroughPeak, IsTheLeastSumOfForceAndOrigin)
+{
+  const std::vector<double> x    = uniform(2.);
+  const std::vector<double> y    = wavy(x);
+  const double              peak = 5;
+  const PowerLaw            law  = fit_through_peak(x, y, peak);
+  EXPECT_NEAR(law(x.back()), y.back(), 1e-12 * y.back());
+  const auto sum = [&](const double origin, const double exponent) {
+    double square = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        const double s = (x[i] - origin) / (x.back() - origin);
+        square += std::pow((s > 0 ? std::pow(s, exponent) : 0) - y[i] / y.back(), 2);
+      }
+    return square / static_cast<double>(x.size()) + std::pow(origin_weight * origin / peak, 2);
+  };
+  EXPECT_GT(std::abs(law.origin), 1e-4); // it makes use of its freedom
+  const double least = sum(law.origin, law.exponent);
+  for (const double change : {-1e-3, 1e-3})
+    {
+      EXPECT_GT(sum(law.origin + change, law.exponent), least);
+      EXPECT_GT(sum(law.origin, law.exponent + change), least);
+    }
+  // Without freedom for the origin the force is further off.
+  const PowerLaw held = fit_power_law(x, y).law;
+  EXPECT_LT(
+    least, sum(x.back() - std::pow(y.back() / held.coefficient, 1 / held.exponent), held.exponent));
+}
+
+TEST(FitThroughPeak, RefusesABranchLongerThanItsApproach)
+{
+  const std::vector<double> x = uniform(2.);
+  EXPECT_THROW(fit_through_peak(x, wavy(x), 1.9), InputError);
+  EXPECT_THROW(fit_through_peak(x, wavy(x), std::numeric_limits<double>::infinity()), InputError);
 }
