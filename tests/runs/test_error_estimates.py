@@ -1,6 +1,7 @@
 """The estimated errors against studies of materials that the estimate was not calibrated on."""
 
 import json
+import pathlib
 import sys
 import unittest
 
