@@ -129,6 +129,7 @@ namespace dpcontact
       {"n_window_change", {-infinity, infinity}},
       {"b", {0.9, 1.6}},
       {"n", {0.9, 1.7}},
+      {"n_law", {0.9, 1.7}},
       {"residual_approach", {0, infinity}},
     };
     const auto entry = ranges.find(column);
@@ -148,6 +149,7 @@ namespace dpcontact
                                        "load_level",
                                        "a",
                                        "m",
+                                       "m_law",
                                        "a_published",
                                        "m_published",
                                        "approach_peak_m",

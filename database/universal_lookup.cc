@@ -25,6 +25,8 @@ namespace dpcontact
       unloading_exponent,
       ln_loading_at_peak,
       ln_unloading_at_peak,
+      ln_recovered_by_law,
+      law_exponent,
       n_smooth
     };
     using SmoothValues = std::array<double, n_smooth>;
@@ -38,7 +40,9 @@ namespace dpcontact
               node.b,
               node.n,
               std::log(node.a * std::pow(node.approach, node.b) / level),
-              std::log(node.m * std::pow(recovered, node.n) / level)};
+              std::log(node.m * std::pow(recovered, node.n) / level),
+              std::log(level / node.m_law) / node.n_law - std::log(hertz),
+              node.n_law};
     }
 
     Outcome outcome_of(const SmoothValues &value, const double level)
@@ -328,6 +332,7 @@ namespace dpcontact
     if (load_level <= onset_level || load_level < levels.front())
       {
         value.coefficients = {1, 1.5, 1, 1.5};
+        value.law_exponent = 1.5;
         return value;
       }
     const double x = std::log(load_level);
@@ -341,6 +346,9 @@ namespace dpcontact
     value.coefficients      = {a, b, m, n};
     value.residual_approach = value.approach - recovered;
     value.residual_eq18     = value.approach - std::pow(load_level / m, 1 / n);
+    value.residual_of_law   = std::max(
+      value.approach - std::pow(load_level, 2. / 3) * std::exp(smooth[ln_recovered_by_law](x)), 0.);
+    value.law_exponent = smooth[law_exponent](x);
 
     const Outcome unit{a, 1, m, 1, 1, value.approach}; // a, m, approach have relative errors
     Outcome       interpolation{}, numerical{};

@@ -37,16 +37,18 @@ namespace dpcontact
   /// What the universal table says about one load level.
   struct UniversalValue
   {
-    double                approach;          ///< δ/δ_y at F = Λ F_y
-    double                residual_approach; ///< δ_res/δ_y after release, as computed
-    double                residual_eq18;  ///< that which eq (18) gives from the approach, m and n
-    std::array<double, 4> coefficients;   ///< a, b, m, n of the consistent pair
-    std::array<double, 4> numerical;      ///< error of each that the computation left
-    std::array<double, 4> interpolation;  ///< that interpolation adds
-    std::array<double, 4> misfit;         ///< of the power laws
-    double                approach_error; ///< of ln(approach): numerical and interpolation
-    double                residual_error; ///< of residual_approach, likewise, in δ_y
-    std::array<Outcome, n_parts> parts;   ///< what these errors are shares of
+    double approach;          ///< δ/δ_y at F = Λ F_y
+    double residual_approach; ///< δ_res/δ_y after release, as computed
+    double residual_eq18;     ///< that which eq (18) gives from the approach, m and n
+    double residual_of_law; ///< where the contact law's unloading ends, likewise from m_law, n_law
+    double law_exponent;    ///< n_law
+    std::array<double, 4>        coefficients;   ///< a, b, m, n of the consistent pair
+    std::array<double, 4>        numerical;      ///< error of each that the computation left
+    std::array<double, 4>        interpolation;  ///< that interpolation adds
+    std::array<double, 4>        misfit;         ///< of the power laws
+    double                       approach_error; ///< of ln(approach): numerical and interpolation
+    double                       residual_error; ///< of residual_approach, likewise, in δ_y
+    std::array<Outcome, n_parts> parts;          ///< what these errors are shares of
   };
 
   /// The universal table at one ν and φ, interpolated over them as the contact law does

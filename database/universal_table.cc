@@ -84,18 +84,29 @@ namespace dpcontact
       return fit_power_law(x, y);
     }
 
+    std::string place_of(const Record &row)
+    {
+      return "nu = " + number_text(row.nu) + ", phi = " + number_text(row.phi_deg) +
+             ", Lambda = " + number_text(row.load_level);
+    }
+
     /// Enters the branch that a contact law goes down, its width relative to the approach as the
     /// row's.
     void enter_law(const Record &row, UniversalNode &node)
     {
-      const ResampledBranch branch =
-        resample(row.curve, Branch::unloading, n_fit_points); // as fit_curve()
-      const PowerLaw law =
-        fit_through_peak(branch.x, branch.force, row.curve.loading.back().approach);
-      const double width =
-        (branch.x.back() - law.origin) / row.curve.loading.back().approach * node.approach;
-      node.n_law = law.exponent;
-      node.m_law = node.load_level / std::pow(width, node.n_law);
+      try
+        {
+          const double          peak   = row.curve.loading.back().approach;
+          const ResampledBranch branch = resample(row.curve, Branch::unloading, n_fit_points);
+          const PowerLaw        law    = fit_through_peak(branch.x, branch.force, peak);
+          const double          width  = (branch.x.back() - law.origin) / peak * node.approach;
+          node.n_law                   = law.exponent;
+          node.m_law                   = node.load_level / std::pow(width, node.n_law);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw InputError("universal table: the row " + place_of(row) + ": " + error.what());
+        }
     }
 
     UniversalNode node_of(const Record &row, const Excess &excess)
@@ -148,9 +159,7 @@ namespace dpcontact
     void check_row(const Record &row)
     {
       if (row.status != "converged")
-        throw InputError("universal table: the row nu = " + number_text(row.nu) +
-                         ", phi = " + number_text(row.phi_deg) +
-                         ", Lambda = " + number_text(row.load_level) + " failed: " + row.reason);
+        throw InputError("universal table: the row " + place_of(row) + " failed: " + row.reason);
       if (row.criterion != "drucker-prager" || row.flow_stress_ratio != 1 ||
           row.dilation_deg != row.phi_deg || row.hardening_Pa != 0)
         throw InputError("universal table: similarity needs associated, perfectly plastic "
@@ -243,7 +252,7 @@ namespace dpcontact
       }
   }
 
-  UniversalTable UniversalTable::from_rows(const Database &database)
+  UniversalTable UniversalTable::from_rows(const Database &database, const std::string &revision)
   {
     std::map<std::pair<double, double>, std::vector<const Record *>> families;
     for (const Record &row : database.records)
@@ -272,7 +281,9 @@ namespace dpcontact
               }
           }
       }
-    return UniversalTable(std::move(nodes), database.provenance);
+    Provenance text            = database.provenance;
+    text["version_made_table"] = revision; // that of the sweep stands in the database's own entry
+    return UniversalTable(std::move(nodes), std::move(text));
   }
 
   UniversalTable UniversalTable::joined(const UniversalTable &other) const

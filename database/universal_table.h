@@ -56,7 +56,7 @@ namespace dpcontact
     /// scatter.
     /// @throws InputError where the rows are no complete grid, a row failed, or a material is not
     /// associated, perfectly plastic Drucker–Prager.
-    static UniversalTable from_rows(const Database &database);
+    static UniversalTable from_rows(const Database &database, const std::string &revision);
 
     /// @throws FileError, CorruptData where digest, header, a number or the grid is wrong.
     static UniversalTable read(const std::filesystem::path &file);

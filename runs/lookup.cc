@@ -139,6 +139,8 @@ namespace dpcontact
       result.residual_approach             = value.residual_approach * scale;
       result.residual_approach_uncertainty = value.residual_error * scale;
       result.residual_eq18                 = value.residual_eq18 * scale;
+      result.residual_of_law               = value.residual_of_law * scale;
+      result.law_exponent                  = value.law_exponent;
       for (unsigned int i = 0; i <= master_points; ++i)
         {
           CurvePoint   point;
@@ -171,6 +173,8 @@ namespace dpcontact
                             converted_uncertainty(result.coefficients[2], u[2] / m, u[3]),
                             u[3]};
       enter_approaches(result);
+      result.residual_of_law = result.residual_eq18;
+      result.law_exponent    = n;
       return result;
     }
   };
@@ -291,8 +295,10 @@ namespace dpcontact
           }
       for (unsigned int i = points + 1; i-- > 0;)
         {
-          const double x = (result.peak_approach - result.residual_eq18) / approach * i / points;
-          add(curve["unloading"], result.residual_eq18 + x * approach, m * std::pow(x, n) * force);
+          const double share = double(i) / points, residual = result.residual_of_law;
+          add(curve["unloading"],
+              residual + share * (result.peak_approach - residual),
+              result.load_level * force * std::pow(share, result.law_exponent));
         }
       return curve;
     }

@@ -41,6 +41,9 @@ namespace dpcontact
     double                peak_approach, peak_approach_uncertainty; ///< m
     double residual_approach, residual_approach_uncertainty; ///< m; of similarity as computed
     double residual_eq18;                                    ///< m
+    /// Unloading as the contact law does, F_max ((δ − residual_of_law)/(δ_p − residual_of_law))^p:
+    /// of similarity from m_law and n_law, otherwise eqs (17), (18).
+    double residual_of_law, law_exponent; ///< m, 1
     /// Of similarity: interpolation, numerical, finite_radius, power_law_misfit.
     std::array<std::array<double, 4>, 4> parts;
     std::vector<CurvePoint>              loading; ///< of similarity the master curve

@@ -4,6 +4,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/documents.h"
+#include "runs/version.h"
 
 #include <iostream>
 #include <memory>
@@ -21,7 +22,8 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      UniversalTable table = UniversalTable::from_rows(read_store(options.database));
+      UniversalTable table =
+        UniversalTable::from_rows(read_store(options.database), git_revision());
       if (!options.join.empty())
         table = table.joined(UniversalTable::read(options.join));
       table.write(options.csv);

@@ -47,6 +47,8 @@ namespace dpcontact
       node.a =
         level * std::exp(.002 * plastic * std::cos(phi / 20)) / std::pow(node.approach, node.b);
       node.m = level * std::exp(.004 * plastic * std::cos(3 * nu)) / std::pow(recovered, node.n);
+      node.m_law = node.m;
+      node.n_law = node.n;
       for (const UniversalColumn &column : universal_columns())
         if (std::isnan(node.*column.member))
           node.*column.member = 0;
@@ -217,7 +219,7 @@ namespace dpcontact
       }
   }
 
-  TEST(universal_lookup, and_the_contact_law_say_the_same)
+  TEST(universal_lookup, gives_the_contact_laws_branches)
   {
     const std::filesystem::path      file  = DPCONTACT_UNIVERSAL_TABLE;
     const UniversalTable             table = UniversalTable::read(file);
@@ -238,6 +240,9 @@ namespace dpcontact
             const ContactCoefficients at    = law.coefficients(peak, radius);
             EXPECT_NEAR(at.force / law.force_yield(radius) / level, 1, 1e-3)
               << nu << ' ' << phi << ' ' << level;
+            EXPECT_NEAR(at.residual / peak, value.residual_of_law / value.approach, 2e-3)
+              << nu << ' ' << phi << ' ' << level;
+            EXPECT_NEAR(at.n, value.law_exponent, 3e-3) << nu << ' ' << phi << ' ' << level;
             // The law is fitted to forces as well (fit_through_peak()).
             EXPECT_NEAR(at.residual / peak, value.residual_approach / value.approach, 1e-2)
               << nu << ' ' << phi << ' ' << level;

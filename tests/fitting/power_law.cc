@@ -189,18 +189,21 @@ TEST(LawDifference, DifferentOrigins)
   EXPECT_NEAR(law_difference({1, 1, 0}, {2, 1, 1. / 3}, 1, 1), 1. / 3, 1e-8);
 }
 
-// A branch that is a power law from its own end is found as such, in any unit.
+// A branch that is a power law from an origin of its own is found as such, in any unit, where that
+// origin costs nothing.
 TEST(FitThroughPeak, RecoversExactData)
 {
   for (const double x_max : {1e-6, 0.1, 300.})
     for (const double exponent : {1.2, 1.5})
-      {
-        const std::vector<double> x = uniform(x_max);
-        const PowerLaw law = fit_through_peak(x, values({3e4, exponent, 0}, x), 1.2 * x_max);
-        EXPECT_NEAR(law.origin / x_max, 0, 1e-12);
-        EXPECT_NEAR(law.exponent, exponent, 1e-10);
-        EXPECT_NEAR(law.coefficient / 3e4, 1, 1e-9);
-      }
+      for (const double origin : {-.1, 0., .1})
+        {
+          const std::vector<double> x = uniform(x_max);
+          const PowerLaw            exact{3e4, exponent, origin * x_max};
+          const PowerLaw            law = fit_through_peak(x, values(exact, x), 1e9 * x_max);
+          EXPECT_NEAR(law.origin / x_max, origin, 1e-8);
+          EXPECT_NEAR(law.exponent, exponent, 1e-7);
+          EXPECT_NEAR(law.coefficient / 3e4, 1, 1e-5); // x_max to the power of 1e-7 and more
+        }
 }
 
 // Where none fits, the law goes through the peak, and no other origin or exponent makes the sum
@@ -223,11 +226,13 @@ TEST(FitThroughPeak, IsTheLeastSumOfForceAndOrigin)
   };
   EXPECT_GT(std::abs(law.origin), 1e-4); // it makes use of its freedom
   const double least = sum(law.origin, law.exponent);
-  for (const double change : {-1e-3, 1e-3})
-    {
-      EXPECT_GT(sum(law.origin + change, law.exponent), least);
-      EXPECT_GT(sum(law.origin, law.exponent + change), least);
-    }
+  for (const double by_origin : {-1e-3, 0., 1e-3})
+    for (const double by_exponent : {-1e-3, 0., 1e-3})
+      if (by_origin != 0 || by_exponent != 0)
+        {
+          EXPECT_GT(sum(law.origin + by_origin, law.exponent + by_exponent), least)
+            << by_origin << ' ' << by_exponent;
+        }
   // Without freedom for the origin the force is further off.
   const PowerLaw held = fit_power_law(x, y).law;
   EXPECT_LT(

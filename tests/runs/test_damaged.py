@@ -137,7 +137,8 @@ class Damaged(grids.TestCase):
         content = (TABLES / "universal.csv").read_text(encoding="utf-8").splitlines()
         head = next(i for i, line in enumerate(content) if not line.startswith("#"))
         names = content[head].split(",")
-        for name, wrong in [("m", "-1"), ("approach", "1e9"), ("n", "15"), ("nu", "0.7")]:
+        for name, wrong in [("m", "-1"), ("approach", "1e9"), ("n", "15"), ("m_law", "-1"), ("n_law", "15"),
+                            ("nu", "0.7")]:
             lines = list(content)
             cells = lines[head + 500].split(",")
             cells[names.index(name)] = wrong

@@ -255,14 +255,17 @@ class Check(program.TestCase):
         self.succeed("check", copy)
 
         row = next(row for row in table("universal.csv") if float(row["load_level"]) > 100)
-        copy.write_text(content.replace(row["m"], str(3 * float(row["m"]))), encoding="utf-8")
-        self.fail_with(CORRUPT, "check", copy)
-        self.fail_with(CORRUPT, "lookup", *TYPE_1, "--database", copy)
-        name = subprocess.run(["sha256sum", "universal.csv"], cwd=self.directory, text=True,
-                              capture_output=True, check=True).stdout
-        digest.write_text(name, encoding="utf-8")
-        result = self.run_program("check", copy)
-        self.assertEqual(result.returncode, INCOMPLETE, result.stdout + result.stderr)
+        for column in ["m", "m_law"]:
+            wrong = content.replace(row[column], str(1.5 * float(row[column])))
+            self.assertNotEqual(wrong, content)
+            copy.write_text(wrong, encoding="utf-8")
+            self.fail_with(CORRUPT, "check", copy)
+            self.fail_with(CORRUPT, "lookup", *TYPE_1, "--database", copy)
+            name = subprocess.run(["sha256sum", "universal.csv"], cwd=self.directory, text=True,
+                                  capture_output=True, check=True).stdout
+            digest.write_text(name, encoding="utf-8")
+            result = self.run_program("check", copy)
+            self.assertEqual(result.returncode, INCOMPLETE, result.stdout + result.stderr)
 
     def test_files_that_are_no_tables(self):
         for content in ["", "a,b\n1,2\n", "\0\1\2", "# dpcontact: universal table\n"]:
