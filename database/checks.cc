@@ -390,7 +390,7 @@ namespace dpcontact
           if (!close(law, node.load_level, 0.05))
             findings.add(Grade::error, where, versus(name, law, node.load_level));
         const double by_law = std::pow(node.load_level / node.m_law, 1 / node.n_law);
-        if (!close(by_law, recovered, 0.1)) // it is .077 of it at most
+        if (!close(by_law, recovered, 0.1)) // of the shipped table .056 at most
           findings.add(Grade::error,
                        where,
                        versus("what the contact law recovers of the approach", by_law, recovered));

@@ -453,8 +453,7 @@ namespace dpcontact
           if (!(row[3] > 0) || !(std::abs(row[4]) < row[3]) || row[4] < -1e-3 * row[3] ||
               !(row[5] > 0) || !(row[6] > 0))
             fail("approach, m_law and n_law must be positive, residual_approach from 0 (but for "
-                 "rounding) to "
-                 "below approach");
+                 "rounding) to below approach");
           if (!rows.emplace(std::tuple(row[0], row[1], row[2]), row).second)
             fail("this nu, phi_deg and load_level stand there twice");
         }

@@ -103,7 +103,11 @@ namespace dpcontact
           node.n_law                   = law.exponent;
           node.m_law                   = node.load_level / std::pow(width, node.n_law);
         }
-      catch (const std::runtime_error &error)
+      catch (const SolverError &error)
+        {
+          throw SolverError("universal table: the row " + place_of(row) + ": " + error.what());
+        }
+      catch (const InputError &error)
         {
           throw InputError("universal table: the row " + place_of(row) + ": " + error.what());
         }

@@ -140,6 +140,7 @@ namespace dpcontact
   PowerLaw fit_through_peak(const std::vector<double> &x,
                             const std::vector<double> &y,
                             const double               peak_approach,
+                            const double               weight,
                             const LeastSquaresOptions &options)
   {
     check_points(x, y, 0, 2);
@@ -156,7 +157,7 @@ namespace dpcontact
         X.push_back(x[i] / span);
         Y.push_back(y[i] / peak);
       }
-    const double weight = origin_weight * std::sqrt(static_cast<double>(n)) * span / peak_approach;
+    const double        scale = weight * std::sqrt(static_cast<double>(n)) * span / peak_approach;
     LeastSquaresProblem problem;
     problem.n_residuals      = n + 1;
     problem.start            = {0., first_exponent(X, Y)};
@@ -185,7 +186,7 @@ namespace dpcontact
           }
         else
           enter(i, -Y[i], 0, 0);
-      enter(n, weight * X0, weight, 0);
+      enter(n, scale * X0, scale, 0);
       return true;
     };
     const LeastSquaresSummary summary = levenberg_marquardt(problem, options);

@@ -187,6 +187,10 @@ namespace dpcontact
         throw CorruptData(
           std::string("the held-out curves are not as runs/held_out writes them: ") + error.what());
       }
+    catch (const Error &)
+      {
+        throw;
+      }
     catch (const std::runtime_error &error) // of ContactTable and ContactLaw
       {
         throw CorruptData(std::string("the universal table makes no contact law: ") + error.what());

@@ -261,7 +261,7 @@ namespace dpcontact
       return {{"a", values[0]}, {"b", values[1]}, {"m", values[2]}, {"n", values[3]}};
     }
 
-    /// Loading: of similarity the master curve, else the power law. Unloading: the power law.
+    /// Of similarity the master curve and the contact law's unloading, else the power laws.
     Json curve_json(const LookupResult &result, const unsigned int points)
     {
       const auto [a, b, m, n] = result.coefficients;

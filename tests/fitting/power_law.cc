@@ -1,10 +1,13 @@
 #include "fitting/power_law.h"
 
+#include "fitting/resample.h"
 #include "meshing/errors.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <vector>
 
@@ -244,4 +247,72 @@ TEST(FitThroughPeak, RefusesABranchLongerThanItsApproach)
   const std::vector<double> x = uniform(2.);
   EXPECT_THROW(fit_through_peak(x, wavy(x), 1.9), InputError);
   EXPECT_THROW(fit_through_peak(x, wavy(x), std::numeric_limits<double>::infinity()), InputError);
+}
+
+// What the weight of the origin does on unloading curves by finite elements: force in shares of the
+// peak force, root mean square over a curve, and origin in shares of the peak approach.
+TEST(FitThroughPeak, BalancesForceAndOriginOnComputedCurves)
+{
+  std::ifstream        stream(DPCONTACT_COMPUTED_CURVES);
+  const nlohmann::json document = nlohmann::json::parse(stream);
+  struct Errors
+  {
+    double force = 0, largest_force = 0, origin = 0, largest_origin = 0;
+    int    count = 0;
+
+    void add(const PowerLaw            &law,
+             const std::vector<double> &x,
+             const std::vector<double> &y,
+             const double               peak_approach)
+    {
+      double square = 0;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        square += std::pow((law(x[i]) - y[i]) / y.back(), 2) / static_cast<double>(x.size());
+      const double moved = std::abs(law.origin) / peak_approach;
+      force += square;
+      origin += moved * moved;
+      largest_force  = std::max(largest_force, std::sqrt(square));
+      largest_origin = std::max(largest_origin, moved);
+      ++count;
+    }
+    double force_rms() const { return std::sqrt(force / count); }
+    double origin_rms() const { return std::sqrt(origin / count); }
+  };
+  Errors chosen, force_alone, heavier, held;
+  for (const nlohmann::json &row : document.at("box"))
+    {
+      Curve      curve;
+      const auto read = [&](const char *name, std::vector<CurvePoint> &branch) {
+        for (const nlohmann::json &values : row.at(name))
+          {
+            branch.emplace_back();
+            branch.back().approach = values.at(0);
+            branch.back().force    = values.at(1);
+          }
+      };
+      read("loading", curve.loading);
+      read("unloading", curve.unloading);
+      const ResampledBranch branch = resample(curve, Branch::unloading);
+      const auto           &x = branch.x, &y = branch.force;
+      const double          peak = curve.loading.back().approach;
+      chosen.add(fit_through_peak(x, y, peak), x, y, peak);
+      force_alone.add(fit_through_peak(x, y, peak, 0), x, y, peak);
+      heavier.add(fit_through_peak(x, y, peak, 1), x, y, peak);
+      // The law with the curve's own origin, moved to the peak afterwards as eq (18) does.
+      PowerLaw own = fit_power_law(x, y).law;
+      own.origin   = x.back() - std::pow(y.back() / own.coefficient, 1 / own.exponent);
+      held.add(own, x, y, peak);
+    }
+  // As fitting/power_law.h states them, and a twentieth for another machine's rounding and library.
+  EXPECT_NEAR(chosen.force_rms(), .0017, .0001);
+  EXPECT_NEAR(chosen.largest_force, .0040, .0002);
+  EXPECT_NEAR(chosen.origin_rms(), .0017, .0001);
+  EXPECT_NEAR(chosen.largest_origin, .0051, .0003);
+  EXPECT_NEAR(force_alone.force_rms(), .0013, .0001);
+  EXPECT_NEAR(force_alone.origin_rms(), .0058, .0003);
+  EXPECT_NEAR(heavier.force_rms(), .0020, .0001);
+  EXPECT_NEAR(heavier.origin_rms(), .0008, .0001);
+  EXPECT_NEAR(held.force_rms(), .0036, .0002);
+  EXPECT_NEAR(held.largest_force, .0097, .0005);
+  EXPECT_NEAR(held.origin_rms(), .0013, .0001);
 }
