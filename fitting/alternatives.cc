@@ -29,10 +29,8 @@ namespace dpcontact
     }
 
     /// Value of the form and, unless nullptr, its derivatives by the coefficients.
-    double evaluate(const Form                 form,
-                    const std::vector<double> &c,
-                    const double               x,
-                    double                    *derivatives)
+    double
+    evaluate(const Form form, const std::vector<double> &c, const double x, double *derivatives)
     {
       if (form == Form::exponential)
         {
@@ -44,7 +42,7 @@ namespace dpcontact
             }
           return c[0] * growth;
         }
-      double                 value = 0;
+      double                 value  = 0;
       const std::vector<int> powers = monomials(form);
       for (std::size_t j = 0; j < powers.size(); ++j)
         {
@@ -69,7 +67,7 @@ namespace dpcontact
                       const std::vector<double> &y,
                       const std::size_t          n_coefficients)
     {
-      const std::string where  = std::string("fit of the ") + name(form) + " form: ";
+      const std::string where  = std::string("fit of the ") + to_string(form) + " form: ";
       const auto        finite = [](const double v) { return std::isfinite(v); };
       if (x.size() != y.size() || x.size() <= n_coefficients)
         throw InputError(where + std::to_string(x.size()) + " abscissae and " +
@@ -81,22 +79,6 @@ namespace dpcontact
         throw InputError(where + "the last point must be positive");
     }
   } // namespace
-
-  const char *name(const Form form)
-  {
-    switch (form)
-      {
-        case Form::exponential:
-          return "exponential";
-        case Form::quadratic:
-          return "quadratic";
-        case Form::cubic:
-          return "cubic";
-        case Form::parabola:
-          return "parabola";
-      }
-    return "unknown";
-  }
 
   double AlternativeFit::operator()(const double x) const
   {
@@ -113,7 +95,7 @@ namespace dpcontact
     check_points(form, x, y, problem.start.size());
 
     const double x_scale = x.back(), y_scale = y.back();
-    const auto   k   = problem.start.size();
+    const auto   k      = problem.start.size();
     problem.n_residuals = x.size();
     problem.observation_norm =
       std::sqrt(std::inner_product(y.begin(), y.end(), y.begin(), 0.)) / y_scale;

@@ -2,14 +2,16 @@
 #define DPCONTACT_FITTING_ALTERNATIVES_H
 
 #include "fitting/fit_report.h"
+#include "meshing/enum_names.h"
 
 #include <vector>
 
 namespace dpcontact
 {
-  /// The forms that Wang et al. (2018, section 4.1) say the power law beats. They name "exponential,
-  /// polynomial, and parabola relationships" without formulas; read here as Matlab's library models
-  /// exp1, poly2 and poly3 (with intercept), and as the parabola whose vertex is the origin.
+  /// The forms of which Wang et al. (2018, section 4.1) say that the power law fits better. They
+  /// name "exponential, polynomial, and parabola relationships" without formulas. These are read
+  /// here as Matlab's library models exp1, poly2 and poly3 (with intercept), and as the parabola
+  /// whose vertex is the origin.
   enum class Form
   {
     exponential, ///< y = c₀ exp(c₁ x)
@@ -18,19 +20,29 @@ namespace dpcontact
     parabola     ///< y = c₀ x²
   };
 
-  const char *name(Form form);
+  template <>
+  struct EnumNames<Form>
+  {
+    static constexpr const char    *what     = "form";
+    static constexpr EnumName<Form> values[] = {{Form::exponential, "exponential"},
+                                                {Form::quadratic, "quadratic"},
+                                                {Form::cubic, "cubic"},
+                                                {Form::parabola, "parabola"}};
+  };
 
   struct AlternativeFit
   {
     Form                form = Form::exponential;
-    std::vector<double> coefficients;    ///< c₀, c₁, … for y over x as given
-    std::vector<double> standard_errors; ///< misfit over the points, as in PowerLawFit
+    std::vector<double> coefficients;    ///< c₀, c₁, … in the units of x and y
+    std::vector<double> standard_errors; ///< of the coefficients, meant as in PowerLawFit
     FitReport           report;
 
+    /// y at x.
     double operator()(double x) const;
   };
 
   /// Fits one form by unweighted least squares.
+  /// @param x, y as many abscissae as ordinates; their last values set the scales of the search
   /// @throws InputError unless x and y are finite, equally long and positive at their ends, and
   /// there are more points than coefficients.
   AlternativeFit fit_alternative(Form                       form,
@@ -38,7 +50,7 @@ namespace dpcontact
                                  const std::vector<double> &y,
                                  const LeastSquaresOptions &options = {});
 
-  /// All forms, in the order of `Form`.
+  /// Fits all forms, in the order of `Form`, to the same points. @throws as fit_alternative().
   std::vector<AlternativeFit> fit_alternatives(const std::vector<double> &x,
                                                const std::vector<double> &y,
                                                const LeastSquaresOptions &options = {});

@@ -1,7 +1,8 @@
 #include "fitting/curve_fit.h"
 
-#include "fitting/number_text.h"
+#include "fitting/conventions.h"
 #include "meshing/errors.h"
+#include "meshing/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,13 @@ namespace dpcontact
     /// A branch in units of the yield point.
     struct ScaledBranch
     {
-      std::vector<double> force;    ///< F/F_y
-      std::vector<double> offset;   ///< (δ − origin)/δ_y
-      double              origin;   ///< 0 or δ_res/δ_y
+      std::vector<double> force;  ///< F/F_y
+      std::vector<double> offset; ///< (δ − origin)/δ_y
+      double              origin; ///< 0 or δ_res/δ_y
     };
 
-    ScaledBranch scale(const ResampledBranch &branch,
-                       const double           force_yield,
-                       const double           approach_yield)
+    ScaledBranch
+    scale(const ResampledBranch &branch, const double force_yield, const double approach_yield)
     {
       ScaledBranch scaled;
       scaled.origin = branch.origin / approach_yield;
@@ -36,8 +36,8 @@ namespace dpcontact
     BranchFit fit_branch(const ScaledBranch &branch, const FitOptions &options)
     {
       // Points i ≥ window_start · n, counted from 1; rounding must not decide on the first.
-      const double first = std::ceil(options.window_start * options.n_points - 1e-9);
-      const auto   skip  = static_cast<std::ptrdiff_t>(std::max(0., first - 1));
+      const double              first = std::ceil(options.window_start * options.n_points - 1e-9);
+      const auto                skip  = static_cast<std::ptrdiff_t>(std::max(0., first - 1));
       const std::vector<double> x(branch.offset.begin() + skip, branch.offset.end());
       const std::vector<double> y(branch.force.begin() + skip, branch.force.end());
 
@@ -48,19 +48,18 @@ namespace dpcontact
       result.window             = fit_power_law(x, y, 0, Origin::fixed, options.least_squares);
       result.coefficient_change = result.window.law.coefficient / result.fit.law.coefficient - 1;
       result.exponent_change    = result.window.law.exponent / result.fit.law.exponent - 1;
-      result.alternatives = fit_alternatives(branch.offset, branch.force, options.least_squares);
+      result.alternatives   = fit_alternatives(branch.offset, branch.force, options.least_squares);
       result.fit.law.origin = result.window.law.origin = branch.origin;
       return result;
     }
 
-    /// Standard error of c 2^(−p).
     double published_error(const PowerLawFit &fit)
     {
-      const double dc = std::pow(2, -fit.law.exponent);
-      const double dp = -std::log(2) * fit.law.coefficient * dc;
-      const double variance = dc * dc * fit.covariance[0][0] +
-                              2 * dc * dp * fit.covariance[0][1] + dp * dp * fit.covariance[1][1];
-      return variance < 0 ? 0 : std::sqrt(variance); // below zero by rounding only
+      return published_standard_error(fit.law.coefficient,
+                                      fit.law.exponent,
+                                      fit.covariance[0][0],
+                                      fit.covariance[0][1],
+                                      fit.covariance[1][1]);
     }
   } // namespace
 
@@ -102,8 +101,8 @@ namespace dpcontact
         throw InputError("fit: force and approach at first yield are " + number_text(force_yield) +
                          " N and " + number_text(approach_yield) + " m; both must be positive");
 
-    const ResampledBranch loading   = resample(curve, Branch::loading, options.n_points);
-    const ResampledBranch unloading = resample(curve, Branch::unloading, options.n_points);
+    const ResampledBranch loading          = resample(curve, Branch::loading, options.n_points);
+    const ResampledBranch unloading        = resample(curve, Branch::unloading, options.n_points);
     const ScaledBranch    scaled_unloading = scale(unloading, force_yield, approach_yield);
 
     CurveFit result{};
@@ -112,13 +111,10 @@ namespace dpcontact
     result.force_max         = loading.force.back();
     result.approach_max      = loading.x.back();
     result.residual_approach = unloading.origin;
-    result.loading   = fit_branch(scale(loading, force_yield, approach_yield), options);
-    result.unloading = fit_branch(scaled_unloading, options);
-    result.unloading_free = fit_power_law(scaled_unloading.offset,
-                                          scaled_unloading.force,
-                                          0,
-                                          Origin::free,
-                                          options.least_squares);
+    result.loading           = fit_branch(scale(loading, force_yield, approach_yield), options);
+    result.unloading         = fit_branch(scaled_unloading, options);
+    result.unloading_free    = fit_power_law(
+      scaled_unloading.offset, scaled_unloading.force, 0, Origin::free, options.least_squares);
     result.unloading_free.law.origin += scaled_unloading.origin;
 
     const PowerLaw &up = result.loading.fit.law, &down = result.unloading.fit.law;
@@ -128,11 +124,11 @@ namespace dpcontact
                                                         force_yield,
                                                         down.coefficient,
                                                         down.exponent);
-    result.published = {up.coefficient * std::pow(2, -up.exponent),
-                        down.coefficient * std::pow(2, -down.exponent),
-                        published_error(result.loading.fit),
-                        published_error(result.unloading.fit),
-                        approach_yield / 2};
+    result.published                = {published_coefficient(up.coefficient, up.exponent),
+                                       published_coefficient(down.coefficient, down.exponent),
+                                       published_error(result.loading.fit),
+                                       published_error(result.unloading.fit),
+                                       published_approach_yield(approach_yield)};
     return result;
   }
 } // namespace dpcontact

@@ -4,17 +4,17 @@
 #include "fitting/alternatives.h"
 #include "fitting/power_law.h"
 #include "fitting/resample.h"
-#include "solver/curve.h"
+#include "solver/problem/curve.h"
 
 #include <vector>
 
 namespace dpcontact
 {
-  /// How a curve is fitted. One source of defaults.
+  /// How a curve is fitted.
   struct FitOptions
   {
-    unsigned int        n_points     = 200; ///< points x_i = i x_max/n of either branch
-    double              window_start = 0.1; ///< the refits use x ≥ window_start · x_max
+    unsigned int        n_points     = 200; ///< n of the points i x_max/n on each branch
+    double              window_start = 0.1; ///< the second fits use x ≥ window_start · x_max
     LeastSquaresOptions least_squares;
 
     /// @throws InputError naming the option, its value and its range.
@@ -27,7 +27,7 @@ namespace dpcontact
     PowerLawFit fit;    ///< on all points
     PowerLawFit window; ///< on the points of the window only
 
-    /// (window − fit)/fit: how much a coefficient depends on the window it is fitted in.
+    /// (window − fit)/fit: how much coefficient and exponent depend on the window.
     double coefficient_change = 0;
     double exponent_change    = 0;
 
@@ -37,8 +37,8 @@ namespace dpcontact
     bool power_law_is_best() const;
   };
 
-  /// The same coefficients for the paper's δ_y, which is per sphere (half of the mutual one):
-  /// a (δ/δ_y)^b = a 2^(−b) (δ/(δ_y/2))^b. Exponents are the same in both conventions.
+  /// The coefficients in the published convention (conventions.h), whose δ_y is that of one sphere.
+  /// The exponents are the same in both conventions.
   struct PublishedConvention
   {
     double a;                ///< a 2^(−b)
@@ -48,15 +48,16 @@ namespace dpcontact
     double approach_yield;   ///< δ_y per sphere, half of the mutual one, m
   };
 
-  /// Everything that is fitted to one curve. δ and δ_y are mutual approaches throughout (the
-  /// consistent pair: a, m → 1 and b, n → 1.5 in the elastic limit), except in `published`.
+  /// Everything that is fitted to one curve. Except in `published` the convention is the consistent
+  /// one: δ and δ_y are mutual approaches, so that a, m → 1 and b, n → 1.5 in the elastic limit.
+  /// Equation numbers are those of Wang et al. (2018).
   struct CurveFit
   {
     double force_yield;       ///< F_y, N
     double approach_yield;    ///< δ_y, m
     double force_max;         ///< N
     double approach_max;      ///< m
-    double residual_approach; ///< of the curve at F → 0, m
+    double residual_approach; ///< δ_res: δ of the unloading branch where F = 0, m
 
     BranchFit loading;   ///< eq (16): a, b
     BranchFit unloading; ///< eq (17): m, n; its origin is the curve's δ_res/δ_y
@@ -74,8 +75,9 @@ namespace dpcontact
     }
   };
 
-  /// Fits both branches of a curve: resampling at equidistant points (resample.h), then unweighted
-  /// Levenberg–Marquardt on F/F_y (power_law.h).
+  /// Fits both branches of a curve: resamples them at equidistant points (resample.h) and fits the
+  /// power laws to F/F_y over δ/δ_y by unweighted least squares (power_law.h).
+  /// @param curve in SI units
   /// @param force_yield F_y, N
   /// @param approach_yield δ_y, mutual, m
   /// @throws InputError for scales that are not positive, options out of range or a bad curve.
@@ -85,7 +87,8 @@ namespace dpcontact
                      double            approach_yield,
                      const FitOptions &options = {});
 
-  /// δ_res = δ_max − δ_y (F_max/(m F_y))^(1/n), eq (18), m.
+  /// The approach that is left after release by eq (18), δ_res = δ_max − δ_y (F_max/(m F_y))^(1/n),
+  /// in the unit of δ_max and δ_y.
   double residual_approach(double approach_max,
                            double approach_yield,
                            double force_max,

@@ -1,7 +1,7 @@
 #include "fitting/least_squares.h"
 
-#include "fitting/number_text.h"
 #include "meshing/errors.h"
+#include "meshing/number_text.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -16,10 +16,10 @@ namespace dpcontact
 {
   namespace
   {
-    using Vector    = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
-    using Matrix    = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
-    using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace,
-                                      decltype(&gsl_multifit_nlinear_free)>;
+    using Vector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
+    using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
+    using Workspace =
+      std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 
     /// What a point outside the model's domain costs: a step there is always refused.
     constexpr double refused_residual = 1e100;
@@ -142,8 +142,8 @@ namespace dpcontact
             for (std::size_t i = 0; i < f->size; ++i)
               projection += gsl_matrix_get(U.get(), i, k) * gsl_vector_get(f, i);
             for (std::size_t j = 0; j < p; ++j)
-              step[j] -= projection / gsl_vector_get(S.get(), k) *
-                         gsl_matrix_get(V.get(), j, k) / column_norms[j];
+              step[j] -= projection / gsl_vector_get(S.get(), k) * gsl_matrix_get(V.get(), j, k) /
+                         column_norms[j];
           }
         return step;
       }
@@ -215,6 +215,89 @@ namespace dpcontact
           summary.standard_errors[i] = std::sqrt(summary.covariance[i * p + i]);
         }
     }
+
+    gsl_multifit_nlinear_fdf system_of(Callback &callback)
+    {
+      gsl_multifit_nlinear_fdf system{};
+      system.f      = &residual_function;
+      system.df     = &jacobian_function;
+      system.n      = callback.residuals.size();
+      system.p      = callback.parameters.size();
+      system.params = &callback;
+      return system;
+    }
+
+    Workspace make_workspace(const std::size_t n, const std::size_t p)
+    {
+      auto parameters  = gsl_multifit_nlinear_default_parameters();
+      parameters.trs   = gsl_multifit_nlinear_trs_lmaccel;
+      parameters.scale = gsl_multifit_nlinear_scale_levenberg;
+      return Workspace(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p),
+                       &gsl_multifit_nlinear_free);
+    }
+
+    /// Iterates from the state of the workspace until a reason to stop is found or GSL refuses to
+    /// go on, and enters reason, offset and iterations.
+    /// @param status of the workspace's initialisation
+    /// @return GSL's last status
+    int iterate(gsl_multifit_nlinear_workspace *w,
+                int                             status,
+                const LeastSquaresOptions      &options,
+                const std::function<double()>  &tolerance,
+                const double                    floor,
+                LeastSquaresSummary            &summary)
+    {
+      const std::size_t n = w->f->size, p = w->x->size;
+      while (status == GSL_SUCCESS)
+        {
+          const TangentPlane plane(w->J);
+          summary.relative_offset = n > p ? plane.relative_offset(w->f) : 0;
+          if (norm(w->f) <= floor)
+            summary.reason = StopReason::residual_zero;
+          else if (n > p && plane.rank == p && summary.relative_offset <= tolerance())
+            summary.reason = StopReason::relative_offset;
+          else if (summary.iterations >= options.max_iterations)
+            summary.reason = StopReason::iteration_limit;
+          else
+            {
+              status = gsl_multifit_nlinear_iterate(w);
+              ++summary.iterations;
+              continue;
+            }
+          break;
+        }
+      return status;
+    }
+
+    /// Enters what the last state of the workspace says: parameters, their errors, and whether it
+    /// is a minimum.
+    void conclude(const gsl_multifit_nlinear_workspace *w,
+                  const std::function<double()>        &tolerance,
+                  const double                          floor,
+                  LeastSquaresSummary                  &summary)
+    {
+      const std::size_t n = w->f->size, p = w->x->size;
+      for (std::size_t j = 0; j < p; ++j)
+        summary.parameters.push_back(gsl_vector_get(w->x, j));
+      const TangentPlane plane(w->J);
+      summary.rank            = static_cast<unsigned int>(plane.rank);
+      summary.sum_of_squares  = norm(w->f) * norm(w->f);
+      summary.relative_offset = n > p ? plane.relative_offset(w->f) : 0;
+
+      if (summary.reason == StopReason::no_progress && norm(w->f) <= floor)
+        summary.reason = StopReason::residual_zero;
+      else if (summary.reason == StopReason::no_progress && n > p &&
+               summary.relative_offset <= tolerance())
+        summary.reason = StopReason::relative_offset;
+
+      // Where rounding forbids a further decrease, the minimum is reached as well as it can be.
+      const bool stalled_at_minimum = summary.reason == StopReason::no_progress &&
+                                      summary.relative_offset <= std::max(1e-5, 100 * tolerance());
+      summary.converged =
+        summary.rank == p && (summary.reason == StopReason::relative_offset ||
+                              summary.reason == StopReason::residual_zero || stalled_at_minimum);
+      fill_errors(summary, plane, n);
+    }
   } // namespace
 
   const char *describe(const StopReason reason)
@@ -255,81 +338,33 @@ namespace dpcontact
       throw InputError("least squares: " + std::to_string(n) + " points cannot determine " +
                        std::to_string(p) + " parameters");
 
-    Callback                 callback(problem);
-    gsl_multifit_nlinear_fdf system{};
-    system.f      = &residual_function;
-    system.df     = &jacobian_function;
-    system.n      = n;
-    system.p      = p;
-    system.params = &callback;
-
-    const gsl_vector_const_view start = gsl_vector_const_view_array(problem.start.data(), p);
+    Callback                    callback(problem);
+    gsl_multifit_nlinear_fdf    system = system_of(callback);
+    const gsl_vector_const_view start  = gsl_vector_const_view_array(problem.start.data(), p);
     if (!callback.evaluate(&start.vector, true))
       throw InputError("least squares: the model cannot be evaluated at its starting values");
-    auto parameters  = gsl_multifit_nlinear_default_parameters();
-    parameters.trs   = gsl_multifit_nlinear_trs_lmaccel;
-    parameters.scale = gsl_multifit_nlinear_scale_levenberg;
-    Workspace  workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p),
-      &gsl_multifit_nlinear_free);
-    gsl_multifit_nlinear_workspace *const w = workspace.get();
+    const Workspace                       workspace = make_workspace(n, p);
+    gsl_multifit_nlinear_workspace *const w         = workspace.get();
 
-    LeastSquaresSummary summary;
-    int status = gsl_multifit_nlinear_init(&start.vector, &system, w);
-
-    // Rounding in the model's values, and what it leaves of the offset: no smaller one can be asked.
+    // Rounding in the model's values, and what it leaves of the offset: no smaller one can be
+    // asked.
     const double floor     = 1e-15 * problem.observation_norm;
     const auto   tolerance = [&]() {
       const double freedom = static_cast<double>(n - p) / static_cast<double>(p);
-      const double noise   = floor * std::sqrt(freedom), residual = norm(w->f);
+      const double noise = floor * std::sqrt(freedom), residual = norm(w->f);
       return residual > noise ? std::max(options.relative_offset, noise / residual) : 1.;
     };
-    while (status == GSL_SUCCESS)
-      {
-        const TangentPlane plane(w->J);
-        summary.relative_offset = n > p ? plane.relative_offset(w->f) : 0;
-        if (norm(w->f) <= floor)
-          summary.reason = StopReason::residual_zero;
-        else if (n > p && plane.rank == p && summary.relative_offset <= tolerance())
-          summary.reason = StopReason::relative_offset;
-        else if (summary.iterations >= options.max_iterations)
-          summary.reason = StopReason::iteration_limit;
-        else
-          {
-            status = gsl_multifit_nlinear_iterate(w);
-            ++summary.iterations;
-            continue;
-          }
-        break;
-      }
+
+    LeastSquaresSummary summary;
+    const int           status = iterate(
+      w, gsl_multifit_nlinear_init(&start.vector, &system, w), options, tolerance, floor, summary);
     if (status == GSL_ENOPROG)
       {
         summary.reason = StopReason::no_progress;
         if (n > p)
           polish(callback, w, tolerance, floor);
       }
-
-    for (std::size_t j = 0; j < p; ++j)
-      summary.parameters.push_back(gsl_vector_get(w->x, j));
-    const TangentPlane plane(w->J);
-    summary.rank            = static_cast<unsigned int>(plane.rank);
-    summary.sum_of_squares  = norm(w->f) * norm(w->f);
-    summary.relative_offset = n > p ? plane.relative_offset(w->f) : 0;
-
-    if (summary.reason == StopReason::no_progress && norm(w->f) <= floor)
-      summary.reason = StopReason::residual_zero;
-    else if (summary.reason == StopReason::no_progress && n > p &&
-             summary.relative_offset <= tolerance())
-      summary.reason = StopReason::relative_offset;
-
-    // Where rounding forbids a further decrease, the minimum is reached as well as it can be.
-    const bool stalled_at_minimum =
-      summary.reason == StopReason::no_progress &&
-      summary.relative_offset <= std::max(1e-5, 100 * tolerance());
-    summary.converged = summary.rank == p && (summary.reason == StopReason::relative_offset ||
-                                              summary.reason == StopReason::residual_zero ||
-                                              stalled_at_minimum);
-    fill_errors(summary, plane, n);
+    conclude(w, tolerance, floor, summary);
     return summary;
   }
 } // namespace dpcontact

@@ -18,7 +18,7 @@ namespace dpcontact
     failed           ///< the library refused to go on
   };
 
-  /// One sentence for people.
+  /// The reason as a sentence for people.
   const char *describe(StopReason reason);
 
   /// Residuals r(p) = model − observation, unweighted, and their Jacobian J_ij = ∂r_i/∂p_j.
@@ -35,7 +35,8 @@ namespace dpcontact
                        std::vector<double>       *jacobian)>
       evaluate;
 
-    /// √(Σ y²) of the observations. Below 1e-15 of it the residual norm is rounding. 0: unknown.
+    /// √(Σ y²) of the observations, 0 where it is not known. A residual whose norm is below 1e-15
+    /// of it is rounding.
     double observation_norm = 0;
   };
 
@@ -43,10 +44,11 @@ namespace dpcontact
   {
     unsigned int max_iterations = 2000;
 
-    /// Bates & Watts (Technometrics 23, 1981): stop where the residual's part in the tangent plane,
-    /// per parameter, is this fraction of the part orthogonal to it, per degree of freedom. The
-    /// parameters are then this fraction of a standard error away from the minimum. Where rounding
-    /// (see observation_norm) does not let it become so small, the smallest attainable will do.
+    /// The search stops where the residual's part in the tangent plane, per parameter, is this
+    /// fraction of the part orthogonal to it, per degree of freedom (Bates & Watts, Technometrics
+    /// 23, 1981). The parameters are then this fraction of a standard error away from the minimum.
+    /// Where rounding (see observation_norm) does not let the fraction become so small, the
+    /// smallest attainable one takes its place.
     double relative_offset = 1e-9;
 
     /// @throws InputError unless both are positive.
@@ -56,7 +58,7 @@ namespace dpcontact
   struct LeastSquaresSummary
   {
     std::vector<double> parameters;
-    std::vector<double> covariance;      ///< s² (JᵀJ)⁻¹, row-major; NaN where rank is deficient
+    std::vector<double> covariance; ///< s² (JᵀJ)⁻¹, row-major; NaN where the rank is deficient
     std::vector<double> standard_errors; ///< square roots of its diagonal
     double              sum_of_squares  = std::numeric_limits<double>::quiet_NaN();
     double              relative_offset = std::numeric_limits<double>::quiet_NaN();
@@ -66,10 +68,11 @@ namespace dpcontact
     bool                converged       = false; ///< a minimum, and its Jacobian of full rank
   };
 
-  /// Levenberg–Marquardt (GSL's trust region with QR, Levenberg's scaling and geodesic acceleration:
-  /// the one of GSL's choices that solves all of NIST's problems tried from both starts).
-  /// s² = SSE/(n − p); where n = p there is no s², and the covariance is NaN. Not converging is no error: look at
-  /// `converged` and `reason`. Switches GSL's aborting error handler off for the process.
+  /// Minimises Σ r² by the Levenberg–Marquardt method: GSL's trust region with QR, Levenberg's
+  /// scaling and geodesic acceleration, the one of GSL's choices that solves all of the tried
+  /// problems of NIST from both starts. For the covariance s² = SSE/(n − p); where n = p it is NaN.
+  /// A search that does not converge is no error: `converged` and `reason` tell it. Switches GSL's
+  /// aborting error handler off for the process.
   /// @throws InputError where n < p, or where the residuals cannot be evaluated at the start.
   LeastSquaresSummary levenberg_marquardt(const LeastSquaresProblem &problem,
                                           const LeastSquaresOptions &options = {});

@@ -1,7 +1,7 @@
 #include "fitting/power_law.h"
 
-#include "fitting/number_text.h"
 #include "meshing/errors.h"
+#include "meshing/number_text.h"
 
 #include <algorithm>
 #include <cmath>

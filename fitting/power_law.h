@@ -17,11 +17,12 @@ namespace dpcontact
     double exponent    = std::numeric_limits<double>::quiet_NaN(); ///< p
     double origin      = 0;                                        ///< x₀
 
+    /// y at x.
     double operator()(double x) const;
   };
 
-  /// A fitted power law. The standard errors describe how the form misfits the points, which are
-  /// samples of one smooth curve: they are not the uncertainty of the data.
+  /// A fitted power law. The points are samples of one smooth curve: the standard errors tell how
+  /// badly the form fits them, not how uncertain they are.
   struct PowerLawFit
   {
     PowerLaw law;
@@ -31,14 +32,17 @@ namespace dpcontact
     FitReport                            report;
   };
 
+  /// What a fit does with x₀.
   enum class Origin
   {
     fixed, ///< x₀ as given
-    free   ///< x₀ is a third parameter; the given one is where the search starts
+    free   ///< x₀ is a third parameter, and the search starts from the given one
   };
 
-  /// Unweighted Levenberg–Marquardt of y = c (x − x₀)^p. Works on x and y scaled by their largest
-  /// values, and scales coefficients and covariance back: the units of x and y do not matter.
+  /// Fits y = c (x − x₀)^p by unweighted least squares. The search works on x and y over their
+  /// largest values, so that their units do not matter.
+  /// @param x, y as many abscissae as ordinates
+  /// @param origin x₀, or where its search starts
   /// @throws InputError unless x increases strictly from above x₀, y is finite with a positive
   /// maximum, and there are more points than parameters.
   PowerLawFit fit_power_law(const std::vector<double> &x,
@@ -47,15 +51,19 @@ namespace dpcontact
                             Origin                     policy  = Origin::fixed,
                             const LeastSquaresOptions &options = {});
 
-  /// What an error of the origin counts in fit_through_peak(), as half of that share of the peak:
-  /// on the curves of runs/held_out_third.json force and origin are then both .17 % off (rms; .40
-  /// and .51 % at most). Weight 0 leaves .13 and .58 %, 1 leaves .20 and .08 %; the curve's own
-  /// origin, with the law moved to the peak afterwards, .36 (.97) and .13 % (`ctest -R fitting`).
+  /// How much fit_through_peak() weighs the error of the origin, in shares of the peak approach,
+  /// against that of the force, in shares of the peak force. With 0.5 both errors are 0.17 % (root
+  /// mean square; 0.40 and 0.51 % at most) on the curves of runs/studies/held_out_third.json.
+  /// Weight 0 leaves 0.13 % of the force and 0.58 % of the origin, weight 1 leaves 0.20 and 0.08 %.
+  /// The curve's own origin, with the law moved to the peak afterwards, leaves 0.36
+  /// (0.97) and 0.13 % (`ctest -R fitting`).
   constexpr double origin_weight = 0.5;
 
-  /// The power law by which a contact unloads: y = y_n ((x − x₀)/(x_n − x₀))^p, through the last
-  /// point, its peak. Levenberg–Marquardt over x₀ and p of the mean square of (law − y)/y_n plus
-  /// that of weight x₀/peak_approach: the curve's own origin is x = 0.
+  /// The power law by which a contact law unloads: y = y_n ((x − x₀)/(x_n − x₀))^p, which passes
+  /// through the last point, the peak. It minimises the mean square of (law − y)/y_n plus the
+  /// square of weight · x₀/peak_approach over x₀ and p.
+  /// @param x distance from the curve's own origin, ascending
+  /// @param y force, as many
   /// @param peak_approach of the last point from where loading began, in the unit of x
   /// @throws InputError as fit_power_law(); SolverError where it does not converge.
   PowerLaw fit_through_peak(const std::vector<double> &x,
@@ -64,9 +72,9 @@ namespace dpcontact
                             double                     weight  = origin_weight,
                             const LeastSquaresOptions &options = {});
 
-  /// Largest |first − second| over 0 ≤ x ≤ x_max, divided by `scale` (the peak force in the laws'
-  /// unit). Closed form where both laws share their origin, otherwise from 4096 samples refined
-  /// round the largest.
+  /// The largest |first − second| over 0 ≤ x ≤ x_max, divided by `scale`, which is the peak force
+  /// in the laws' unit. It is found in closed form where both laws share their origin, otherwise
+  /// from 4096 samples that are refined round the largest.
   double law_difference(const PowerLaw &first, const PowerLaw &second, double x_max, double scale);
 } // namespace dpcontact
 

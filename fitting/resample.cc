@@ -1,16 +1,17 @@
 #include "fitting/resample.h"
 
-#include "fitting/number_text.h"
 #include "meshing/errors.h"
-
-// Boost 1.74's pchip.hpp calls isnan without including it; this header must stand before it.
-#include <boost/math/special_functions/fpclassify.hpp>
-
-#include <boost/math/interpolators/pchip.hpp>
+#include "meshing/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+// Boost 1.74's pchip.hpp calls isnan without declaring it: fpclassify.hpp must stand before it.
+// clang-format off
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <boost/math/interpolators/pchip.hpp>
+// clang-format on
 
 namespace dpcontact
 {
@@ -20,29 +21,24 @@ namespace dpcontact
     constexpr double end_tolerance = 1e-6;
     /// A released contact may seem this part of the peak approach longer than before: rounding and
     /// discretisation of an elastic scene.
-    constexpr double negative_residual_tolerance = 1e-3;
-    constexpr std::size_t min_points             = 5;
-
-    const char *name(const Branch branch)
-    {
-      return branch == Branch::loading ? "loading" : "unloading";
-    }
+    constexpr double      negative_residual_tolerance = 1e-3;
+    constexpr std::size_t min_points                  = 5;
 
     [[noreturn]] void refuse(const Branch branch, const std::string &what)
     {
-      throw InputError(std::string("curve, ") + name(branch) + " branch: " + what);
+      throw InputError(std::string("curve, ") + to_string(branch) + " branch: " + what);
     }
 
     std::string show(const CurvePoint &point)
     {
-      return "(approach " + number_text(point.approach) + " m, force " + number_text(point.force) + " N)";
+      return "(approach " + number_text(point.approach) + " m, force " + number_text(point.force) +
+             " N)";
     }
 
     /// The branch's points in the order of growing force, found strictly monotone.
     std::vector<CurvePoint> checked_points(const Curve &curve, const Branch branch)
     {
-      std::vector<CurvePoint> points =
-        branch == Branch::loading ? curve.loading : curve.unloading;
+      std::vector<CurvePoint> points = branch == Branch::loading ? curve.loading : curve.unloading;
       if (points.size() < min_points)
         refuse(branch,
                std::to_string(points.size()) + " points are too few; at least " +
@@ -82,11 +78,9 @@ namespace dpcontact
       const auto        step   = [&](const std::size_t k) { return x[k + 1] - x[k]; };
       const auto        secant = [&](const std::size_t k) { return (y[k + 1] - y[k]) / step(k); };
       const double      left   = end_slope(step(0), step(1), secant(0), secant(1));
-      const double right = end_slope(step(n - 2), step(n - 3), secant(n - 2), secant(n - 3));
-      return boost::math::interpolators::pchip<std::vector<double>>(std::move(x),
-                                                                    std::move(y),
-                                                                    left,
-                                                                    right);
+      const double      right  = end_slope(step(n - 2), step(n - 3), secant(n - 2), secant(n - 3));
+      return boost::math::interpolators::pchip<std::vector<double>>(
+        std::move(x), std::move(y), left, right);
     }
   } // namespace
 
@@ -136,15 +130,15 @@ namespace dpcontact
   double BranchInterpolant::x_at(const double force) const
   {
     if (!(force >= 0 && force <= largest_force))
-      throw InputError("approach at force " + number_text(force) +
-                       " N: outside the branch, 0 to " + number_text(largest_force) + " N");
+      throw InputError("approach at force " + number_text(force) + " N: outside the branch, 0 to " +
+                       number_text(largest_force) + " N");
     const double target = std::pow(force / largest_force, 2. / 3.);
     if (target <= 0 || target >= 1)
       return target <= 0 ? 0 : largest_x;
     double low = 0, high = 1;
     while (high - low > 1e-15)
       {
-        const double middle = (low + high) / 2;
+        const double middle                            = (low + high) / 2;
         (power_of_force(middle) < target ? low : high) = middle;
       }
     return largest_x * (low + high) / 2;
@@ -160,8 +154,8 @@ namespace dpcontact
     result.origin = interpolant.origin();
     for (unsigned int i = 1; i <= n_points; ++i)
       {
-        result.x.push_back(i == n_points ? interpolant.x_max() :
-                                           i * interpolant.x_max() / n_points);
+        result.x.push_back(i == n_points ? interpolant.x_max()
+                                         : i * interpolant.x_max() / n_points);
         result.force.push_back(interpolant.force_at(result.x.back()));
       }
     return result;

@@ -1,22 +1,33 @@
 #ifndef DPCONTACT_FITTING_RESAMPLE_H
 #define DPCONTACT_FITTING_RESAMPLE_H
 
-#include "solver/curve.h"
+#include "meshing/enum_names.h"
+#include "solver/problem/curve.h"
 
 #include <functional>
 #include <vector>
 
 namespace dpcontact
 {
+  /// The branches of a curve.
   enum class Branch
   {
     loading,  ///< F over x = δ, from 0 to δ_max
     unloading ///< F over x = δ − δ_res, from 0 to δ_max − δ_res
   };
 
-  /// One branch of a curve as a function F(x), independent of how the solver chose its steps:
-  /// F^(2/3), which is linear where the contact is elastic, is interpolated in x by a monotone cubic
-  /// (PCHIP: Fritsch & Butland's slopes, three-point slopes at the ends). SI units.
+  template <>
+  struct EnumNames<Branch>
+  {
+    static constexpr const char      *what     = "branch";
+    static constexpr EnumName<Branch> values[] = {{Branch::loading, "loading"},
+                                                  {Branch::unloading, "unloading"}};
+  };
+
+  /// One branch of a curve as a function F(x) that does not depend on how the solver chose its
+  /// steps. F^(2/3), which is linear where the contact is elastic, is interpolated in x by a
+  /// monotone cubic (PCHIP with the slopes of Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5,
+  /// 1984, and three-point slopes at the ends). SI units.
   class BranchInterpolant
   {
   public:
@@ -50,6 +61,7 @@ namespace dpcontact
     double              origin; ///< 0 or δ_res, m
   };
 
+  /// Resamples a branch by BranchInterpolant.
   /// @throws InputError as BranchInterpolant does, and where n_points < 4.
   ResampledBranch resample(const Curve &curve, Branch branch, unsigned int n_points = 200);
 } // namespace dpcontact

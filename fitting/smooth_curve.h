@@ -6,22 +6,25 @@
 
 namespace dpcontact
 {
-  /// A cubic spline with given knots through many points, in the sense of least squares (GSL's
-  /// B-splines). What scatters between the knots is averaged away.
+  /// A cubic spline with given knots that is fitted to many points by least squares (GSL's
+  /// B-splines). Scatter that is finer than the knots is averaged away.
   class SmoothCurve
   {
   public:
-    /// @param knots ascending, at least two; the curve lives between the first and the last.
+    /// @param knots ascending, at least four; the curve lives between the first and the last, and
+    /// points beyond them are left out
+    /// @param x, y as many abscissae as ordinates
     /// @throws InputError for fewer than 4 knots, knots that do not ascend, or fewer points between
     /// them than the spline has coefficients.
     SmoothCurve(const std::vector<double> &knots,
                 const std::vector<double> &x,
                 const std::vector<double> &y);
 
-    /// Constant beyond the ends.
+    /// y at x. Beyond the first and last knots it is the value there.
     double operator()(double x) const;
 
-    /// Root mean square distance of the points within [low, high] from the curve; 0 without points.
+    /// The root mean square distance in y of the points with low ≤ x ≤ high from the curve, 0 where
+    /// there are none.
     double scatter(double low, double high) const;
 
   private:

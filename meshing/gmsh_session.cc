@@ -55,6 +55,21 @@ namespace dpcontact
 
   GmshSession::~GmshSession() { gmsh::finalize(); }
 
+  void GmshSession::name_groups(const std::vector<int> &axis,
+                                const std::vector<int> &surface,
+                                const std::vector<int> &far,
+                                const std::vector<int> &faces) const
+  {
+    gmsh::model::geo::synchronize();
+    gmsh::model::addPhysicalGroup(1, axis, boundary::axis);
+    gmsh::model::addPhysicalGroup(1, surface, boundary::surface);
+    gmsh::model::addPhysicalGroup(1, far, boundary::far);
+    gmsh::model::addPhysicalGroup(2, faces, 1);
+    gmsh::model::setPhysicalName(1, boundary::axis, "axis");
+    gmsh::model::setPhysicalName(1, boundary::surface, "surface");
+    gmsh::model::setPhysicalName(1, boundary::far, "far");
+  }
+
   template <int dim>
   void GmshSession::mesh_into(dealii::Triangulation<dim> &mesh) const
   {

@@ -1,9 +1,7 @@
 #ifndef DPCONTACT_MESHING_MESH_KIND_H
 #define DPCONTACT_MESHING_MESH_KIND_H
 
-#include "meshing/errors.h"
-
-#include <string>
+#include "meshing/enum_names.h"
 
 namespace dpcontact
 {
@@ -14,19 +12,13 @@ namespace dpcontact
     published ///< the three zones of Wang et al. 2018: published_mesh.h
   };
 
-  inline const char *to_string(const MeshKind kind)
+  template <>
+  struct EnumNames<MeshKind>
   {
-    return kind == MeshKind::fitted ? "fitted" : "published";
-  }
-
-  /// @throws InputError where `name` is none of the names that to_string() gives.
-  inline MeshKind parse_mesh_kind(const std::string &name)
-  {
-    for (const MeshKind kind : {MeshKind::fitted, MeshKind::published})
-      if (name == to_string(kind))
-        return kind;
-    throw InputError("mesh = '" + name + "' is unknown; it must be 'fitted' or 'published'");
-  }
+    static constexpr const char        *what     = "mesh";
+    static constexpr EnumName<MeshKind> values[] = {{MeshKind::fitted, "fitted"},
+                                                    {MeshKind::published, "published"}};
+  };
 } // namespace dpcontact
 
 #endif

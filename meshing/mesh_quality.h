@@ -8,10 +8,11 @@ namespace dpcontact
   /// Figures of a mesh's shape, over its active cells; lengths and areas in the mesh's own unit. In
   /// space a cell's area is its volume.
   ///
-  /// Scaled Jacobian of a cell: the least, over its corners, of the Jacobian there (the determinant
-  /// of the edges that meet) divided by the product of the edges' lengths, in the plane the
-  /// sine of the corner's angle: 1 in a rectangle, 0 where a corner is flat, negative where the
-  /// cell is inverted. Aspect ratio of a cell: its longest edge divided by its shortest.
+  /// The scaled Jacobian of a cell is the least, over its corners, of the Jacobian there (the
+  /// determinant of the edges that meet) divided by the product of the edges' lengths. In the plane
+  /// it is the sine of the corner's angle: 1 in a rectangle, 0 where a corner is flat, negative
+  /// where the cell is inverted. The aspect ratio of a cell is its longest edge divided by its
+  /// shortest.
   struct MeshQuality
   {
     unsigned int dimension                = 2;

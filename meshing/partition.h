@@ -7,16 +7,17 @@
 
 namespace dpcontact
 {
-  /// What a partition looks like.
+  /// How the cells and faces of a mesh are shared among the parts of a partition.
   struct PartitionReport
   {
     std::vector<unsigned int> cells_of_part; ///< active cells, by part
-    /// Faces between cells of two parts; where a coarse cell meets fine ones, each of theirs.
+    /// Faces between cells of two parts. Where a coarse cell meets fine ones, the fine cells' faces
+    /// count.
     unsigned int cut_faces = 0;
   };
 
-  /// Splits the active cells into `parts` by METIS (recursive graph partitioning with its fixed
-  /// seed, so always the same way), as their subdomain ids say afterwards.
+  /// Splits the active cells into `parts` by METIS and sets their subdomain ids to the parts. METIS
+  /// partitions the graph recursively with a fixed seed, so that the result is always the same.
   /// @throws InputError where `parts` is 0 or more than the cells, SolverError where a part is left
   /// without a cell.
   template <int dim>

@@ -1,7 +1,7 @@
-#include "meshing/errors.h"
 #include "meshing/frame.h"
 #include "meshing/gmsh_session.h"
 #include "meshing/published_mesh.h"
+#include "meshing/require.h"
 #include "meshing/section_map.h"
 
 #include <deal.II/grid/grid_tools.h>
@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace dpcontact
 {
@@ -45,15 +44,11 @@ namespace dpcontact
       return std::isfinite(angle) && std::abs(angle - value) < 1e-12;
     };
     const bool whole = is(2 * M_PI);
-    if (!whole && !is(M_PI / 2))
-      {
-        std::ostringstream message;
-        message
-          << "published mesh: angle = " << angle
-          << " is out of range; it must be pi/2 or 2 pi, of which its 60 segments leave whole "
-             "bricks and its core whole sides";
-        throw InputError(message.str());
-      }
+    require(whole || is(M_PI / 2),
+            "published mesh",
+            "angle",
+            angle,
+            "pi/2 or 2 pi, of which its 60 segments leave whole bricks and its core whole sides");
 
     const std::array<unsigned int, 3> zones    = published.radial_elements();
     const unsigned int                elements = zones[0] + zones[1] + zones[2];
@@ -66,7 +61,7 @@ namespace dpcontact
     make_frame(frame, mesh);
     if (whole)
       mirror_to_whole(mesh);
-    mesh.refine_global(published.level);
+    mesh.refine_global(published.refinements);
 
     // All segments are 6 degrees: the core's corner stands after 7 of 15.
     const double     kite_radius = kite_cells[0] * PublishedMesh::radial_size[0];

@@ -1,8 +1,7 @@
 #include "meshing/published_mesh.h"
 
-#include "meshing/boundary_ids.h"
-#include "meshing/errors.h"
 #include "meshing/gmsh_session.h"
+#include "meshing/require.h"
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -11,24 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 namespace dpcontact
 {
-  namespace
-  {
-    void require(const bool holds, const char *name, const double value, const char *range)
-    {
-      if (holds)
-        return;
-      std::ostringstream message;
-      message << "published mesh: " << name << " = " << value << " is out of range; it must be "
-              << range;
-      throw InputError(message.str());
-    }
-  } // namespace
-
   double PublishedMesh::layer_ratio()
   {
     return std::pow(bottom_size / top_size, 1. / (layers - 1));
@@ -53,13 +38,15 @@ namespace dpcontact
 
   void PublishedMesh::check() const
   {
+    const char *const what = "published mesh";
     require(std::isfinite(outer_radius) && outer_radius >= zone_radius[1] + radial_size[2] &&
               outer_radius <= sphere_radius,
+            what,
             "outer-radius",
             outer_radius,
             "from 0.006 m (one element of zone III) to 0.1 m (the sphere's radius)");
-    require(level <= 6, "level", level, "at most 6");
-    require(std::isfinite(unit) && unit > 0, "unit", unit, "positive");
+    require(refinements <= 6, what, "refinements (option level)", refinements, "at most 6");
+    require(std::isfinite(unit) && unit > 0, what, "unit", unit, "positive");
   }
 
   void make_published_mesh(const PublishedMesh &published, dealii::Triangulation<2> &mesh)
@@ -99,20 +86,13 @@ namespace dpcontact
           geo::mesh::setTransfiniteSurface(zones[i]);
           geo::mesh::setRecombine(2, zones[i]);
         }
-      geo::synchronize();
       std::vector<int> far = floors;
       far.push_back(downwards[3]);
-      gmsh::model::addPhysicalGroup(1, {downwards[0]}, boundary::axis);
-      gmsh::model::addPhysicalGroup(1, surfaces, boundary::surface);
-      gmsh::model::addPhysicalGroup(1, far, boundary::far);
-      gmsh::model::addPhysicalGroup(2, zones, 1);
-      gmsh::model::setPhysicalName(1, boundary::axis, "axis");
-      gmsh::model::setPhysicalName(1, boundary::surface, "surface");
-      gmsh::model::setPhysicalName(1, boundary::far, "far");
+      gmsh_session.name_groups({downwards[0]}, surfaces, far, zones);
       gmsh_session.mesh_into(mesh);
     }
 
-    mesh.refine_global(published.level);
+    mesh.refine_global(published.refinements);
     if (published.unit != 1)
       dealii::GridTools::scale(1 / published.unit, mesh);
     check_mesh(mesh);

@@ -15,8 +15,8 @@ namespace dpcontact
   {
     static constexpr double zone_radius[2] = {2e-3, 5e-3};       ///< 0.02 R and 0.05 R
     static constexpr double radial_size[3] = {5e-5, 5e-4, 1e-3}; ///< inwards to outwards
-    static constexpr double top_size       = 2e-4;               ///< layer thickness at the surface
-    static constexpr double bottom_size    = 2e-3;               ///< and at the bottom
+    static constexpr double top_size       = 2e-4; ///< thickness of the layer at the surface
+    static constexpr double bottom_size    = 2e-3; ///< thickness of the layer at the bottom
     static constexpr double sphere_radius  = 0.1;
 
     /// Inferred: 73,100 and 76,830 factor as 25 layers of 2,924 quadrilaterals and 26 planes of
@@ -28,13 +28,13 @@ namespace dpcontact
     /// 53 elements. The zones I and II take 40 and 6 of them and leave 6 or 7 of 1 mm to zone III:
     /// 11 or 12 mm. The default is the latter, an inference to be checked by trying another radius.
     double       outer_radius = 0.012;
-    unsigned int level        = 0; ///< uniform refinements on top
+    unsigned int refinements  = 0; ///< uniform refinements on top
     double       unit         = 1; ///< metres in one unit of the mesh's coordinates
 
-    /// Sum of the layers' thicknesses, m.
+    /// The sum of the layers' thicknesses, m.
     static double depth();
 
-    /// Ratio of neighbouring layers' thicknesses, downwards.
+    /// The ratio of a layer's thickness to that of the layer above it.
     static double layer_ratio();
 
     /// Elements of each zone along a radius of the half plane.
@@ -51,7 +51,8 @@ namespace dpcontact
 
   /// Fills `mesh` with the body itself, z ≤ 0 about the z axis, or the quarter 0 ≤ θ ≤ π/2 of it,
   /// of which the body is the mirror images: 73,100 bricks and 76,830 nodes with the default outer
-  /// radius, 18,275 bricks in the quarter. The half plane above is its section θ = 0; ids likewise.
+  /// radius, 18,275 bricks in the quarter. The half plane above is its section θ = 0. Ids
+  /// are those of boundary_ids.h.
   ///
   /// Inferred, as the counts say no more: the core is 16 elements of 5e-5 m along x, 0.8 mm, and 14
   /// along y, as long; the 60 segments of its perimeter are spread evenly over the circles, which

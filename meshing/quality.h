@@ -7,7 +7,8 @@
 
 namespace dpcontact
 {
-  /// `contact_radius` is in the mesh's own unit.
+  /// The figures of a mesh.
+  /// @param contact_radius in the mesh's own unit
   /// @throws InputError where the contact radius is not positive or reaches past the surface,
   /// SolverError where the mesh has no cells or other cells than quadrilaterals or bricks.
   template <int dim>

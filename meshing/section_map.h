@@ -16,7 +16,7 @@ namespace dpcontact
     double angle;         ///< of the wedge
     double corner_angle;  ///< θ of M and of the frame's diagonal a = b
     double kite_radius;   ///< distance of A and B from O
-    double circle_radius; ///< of the first circle, above corner_distance × kite_radius
+    double circle_radius; ///< of the first circle; larger than corner_distance × kite_radius
 
     /// |OM| / |OA|. At M three cells meet: 1.15 gives the kite an angle of 116 to 119 degrees there
     /// for wedges of 90 and 45 degrees, so that all three are nearly equal, and at A and B 77

@@ -1,8 +1,8 @@
 #include "meshing/wedge_mesh.h"
 
-#include "meshing/errors.h"
 #include "meshing/frame.h"
 #include "meshing/gmsh_session.h"
+#include "meshing/require.h"
 #include "meshing/section_map.h"
 #include "meshing/zone_halving.h"
 
@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -126,19 +124,11 @@ namespace dpcontact
     const auto is = [angle](const double value) {
       return std::isfinite(angle) && std::abs(angle - value) < 1e-12;
     };
-    const bool         whole = is(2 * M_PI);
-    std::ostringstream message;
-    if (!(is(M_PI / 4) || is(M_PI / 2) || whole))
-      message << "wedge mesh: angle = " << angle
-              << " is out of range; it must be pi/4, pi/2 or 2 pi";
-    else if (zones.resolution < 4)
-      message << "wedge mesh: resolution = " << zones.resolution
-              << " is out of range; in space it must be at least 4";
-    else if (zones.octaves > 0)
-      message << "wedge mesh: octaves = " << zones.octaves
-              << " is out of range; in space it must be 0";
-    if (!message.str().empty())
-      throw InputError(message.str());
+    const char *const what  = "wedge mesh";
+    const bool        whole = is(2 * M_PI);
+    require(is(M_PI / 4) || is(M_PI / 2) || whole, what, "angle", angle, "pi/4, pi/2 or 2 pi");
+    require(zones.resolution >= 4, what, "resolution", zones.resolution, "at least 4 in space");
+    require(zones.octaves == 0, what, "octaves", zones.octaves, "0 in space");
 
     const double       wedge    = is(M_PI / 4) ? M_PI / 4 : M_PI / 2;
     const unsigned int halvings = number_of_halvings(zones.resolution);
@@ -170,7 +160,7 @@ namespace dpcontact
       sizes.emplace_back(core, zones.surface_depth / static_cast<double>(1u << k));
     halve_zones(
       sizes, 0, [&map](const dealii::Point<3> &p) { return map.square_place(p); }, mesh);
-    mesh.refine_global(zones.level);
+    mesh.refine_global(zones.refinements);
     // Sets hanging vertices to the midpoints of their edges and faces as well.
     dealii::GridTools::transform(map, mesh);
     if (zones.stretch != 1)

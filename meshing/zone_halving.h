@@ -39,24 +39,24 @@ namespace dpcontact
           return true;
       return false;
     };
-    const auto wanted_level = [&](const auto &cell) {
+    const auto wanted_halvings = [&](const auto &cell) {
       const auto [radius, depth] = place(cell->center());
-      unsigned int level         = 0;
+      unsigned int halvings      = 0;
       for (unsigned int k = 0; k <= octaves; ++k)
         for (unsigned int z = 0; z < zones.size(); ++z)
           {
             const double scale = 1. / static_cast<double>(1u << k);
             if (radius < scale * zones[z].first &&
                 (depth < scale * zones[z].second || at_surface(cell)))
-              level = std::max(level, k + z + 1);
+              halvings = std::max(halvings, k + z + 1);
           }
-      return static_cast<int>(level);
+      return static_cast<int>(halvings);
     };
     for (bool refined = true; refined;)
       {
         refined = false;
         for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->level() < wanted_level(cell))
+          if (cell->level() < wanted_halvings(cell))
             {
               cell->set_refine_flag();
               refined = true;

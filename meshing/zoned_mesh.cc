@@ -1,8 +1,7 @@
 #include "meshing/zoned_mesh.h"
 
-#include "meshing/boundary_ids.h"
-#include "meshing/errors.h"
 #include "meshing/gmsh_session.h"
+#include "meshing/require.h"
 #include "meshing/zone_halving.h"
 
 #include <deal.II/grid/grid_tools.h>
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -25,79 +23,47 @@ namespace dpcontact
       return std::min(4u, static_cast<unsigned int>(std::log2(resolution)));
     }
 
-    void require(const bool holds, const char *name, const double value, const char *range)
+    /// The blocks that gmsh makes: a square core at the origin, and to its right and below it
+    /// blocks of rings that lead to the far boundary. Lengths are in contact radii.
+    struct Blocks
     {
-      if (holds)
-        return;
-      std::ostringstream message;
-      message << "mesh zones: " << name << " = " << value << " is out of range; it must be "
-              << range;
-      throw InputError(message.str());
+      int    core_cells;   ///< along a side of the core
+      double core_side;    ///< length of that side
+      int    rings;        ///< between the core and the far boundary
+      double growth;       ///< ratio of the widths of neighbouring rings, outwards
+      double outer_radius; ///< of the far boundary
+    };
+
+    /// Whole cells of size 2^halvings/resolution that cover the contact zone.
+    Blocks blocks_of(const Zones &zones, const unsigned int halvings)
+    {
+      const double block = static_cast<double>(1u << halvings) / zones.resolution;
+      Blocks       blocks;
+      blocks.core_cells   = static_cast<int>(std::ceil(zones.contact_zone / block - 1e-9));
+      blocks.core_side    = blocks.core_cells * block;
+      blocks.outer_radius = zones.domain_radius;
+      // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh; a
+      // ratio above 2 would make slivers of the coarsest.
+      blocks.growth =
+        std::min(std::max(2., zones.growth), std::pow(zones.growth, 40. / zones.resolution));
+      blocks.rings = number_of_rings(
+        blocks.core_side, zones.domain_radius, blocks.core_side / blocks.core_cells, blocks.growth);
+      return blocks;
     }
-  } // namespace
 
-  void Zones::check() const
-  {
-    // First, so that what follows compares numbers only.
-    const std::pair<const char *, double> lengths[] = {{"contact_zone", contact_zone},
-                                                       {"plastic_zone", plastic_zone},
-                                                       {"fine_depth", fine_depth},
-                                                       {"surface_depth", surface_depth},
-                                                       {"medium_depth", medium_depth},
-                                                       {"domain_radius", domain_radius},
-                                                       {"growth", growth},
-                                                       {"stretch", stretch}};
-    for (const auto &[name, value] : lengths)
-      require(std::isfinite(value), name, value, "finite");
-    require(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
-    require(octaves <= 12, "octaves", octaves, "at most 12");
-    require(level <= 6, "level", level, "at most 6");
-    require(surface_halvings <= 4, "surface_halvings", surface_halvings, "at most 4");
-    require(
-      contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
-    require(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
-    require(fine_depth > 0 && fine_depth <= medium_depth,
-            "fine_depth",
-            fine_depth,
-            "positive and at most medium_depth");
-    require(surface_depth > 0 && surface_depth <= fine_depth,
-            "surface_depth",
-            surface_depth,
-            "positive and at most fine_depth");
-    require(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
-    require(domain_radius >= 2 * plastic_zone,
-            "domain_radius",
-            domain_radius,
-            "at least twice plastic_zone");
-    require(growth > 1 && growth <= 3, "growth", growth, "above 1 and at most 3");
-    require(stretch > 0, "stretch", stretch, "positive");
-  }
-
-  void make_zoned_mesh(const Zones &zones, dealii::Triangulation<2> &mesh)
-  {
-    zones.check();
-    // Whole blocks of cells of size 1/resolution that cover the contact zone.
-    const unsigned int halvings    = number_of_halvings(zones.resolution);
-    const double       block       = static_cast<double>(1u << halvings) / zones.resolution;
-    const int          block_cells = static_cast<int>(std::ceil(zones.contact_zone / block - 1e-9));
-    const double       c           = block_cells * block;
-    const double       d           = zones.domain_radius / std::sqrt(2.);
-    // Ring widths shrink with the block's cells, so that `resolution` scales the whole mesh; a
-    // ratio above 2 would make slivers of the coarsest.
-    const double growth =
-      std::min(std::max(2., zones.growth), std::pow(zones.growth, 40. / zones.resolution));
-    const int rings = number_of_rings(c, zones.domain_radius, c / block_cells, growth);
-
+    void make_blocks(const Blocks &blocks, dealii::Triangulation<2> &mesh)
     {
+      const double      c = blocks.core_side;
+      const double      d = blocks.outer_radius / std::sqrt(2.);
       const GmshSession gmsh_session;
       namespace geo         = gmsh::model::geo;
       const int origin      = geo::addPoint(0, 0, 0);
       const int core_right  = geo::addPoint(c, 0, 0);
       const int core_corner = geo::addPoint(c, -c, 0);
       const int core_bottom = geo::addPoint(0, -c, 0);
-      const int far_right   = geo::addPoint(zones.domain_radius, 0, 0);
+      const int far_right   = geo::addPoint(blocks.outer_radius, 0, 0);
       const int far_corner  = geo::addPoint(d, -d, 0);
-      const int far_bottom  = geo::addPoint(0, -zones.domain_radius, 0);
+      const int far_bottom  = geo::addPoint(0, -blocks.outer_radius, 0);
 
       const int core_surface = geo::addLine(origin, core_right);
       const int core_side    = geo::addLine(core_right, core_corner);
@@ -118,40 +84,91 @@ namespace dpcontact
         {geo::addCurveLoop({core_floor, ray_axis, -arc_floor, -ray_diagonal})});
 
       for (const int line : {core_surface, core_side, core_floor, core_axis, arc_side, arc_floor})
-        geo::mesh::setTransfiniteCurve(line, block_cells + 1);
+        geo::mesh::setTransfiniteCurve(line, blocks.core_cells + 1);
       for (const int ray : {ray_surface, ray_diagonal, ray_axis})
-        geo::mesh::setTransfiniteCurve(ray, rings + 1, "Progression", growth);
+        geo::mesh::setTransfiniteCurve(ray, blocks.rings + 1, "Progression", blocks.growth);
       for (const int s : {core, side, floor})
         {
           geo::mesh::setTransfiniteSurface(s);
           geo::mesh::setRecombine(2, s);
         }
-      geo::synchronize();
-      gmsh::model::addPhysicalGroup(1, {core_axis, ray_axis}, boundary::axis);
-      gmsh::model::addPhysicalGroup(1, {core_surface, ray_surface}, boundary::surface);
-      gmsh::model::addPhysicalGroup(1, {arc_side, arc_floor}, boundary::far);
-      gmsh::model::addPhysicalGroup(2, {core, side, floor}, 1);
-      gmsh::model::setPhysicalName(1, boundary::axis, "axis");
-      gmsh::model::setPhysicalName(1, boundary::surface, "surface");
-      gmsh::model::setPhysicalName(1, boundary::far, "far");
+      gmsh_session.name_groups({core_axis, ray_axis},
+                               {core_surface, ray_surface},
+                               {arc_side, arc_floor},
+                               {core, side, floor});
       gmsh_session.mesh_into(mesh);
     }
 
-    // From the coarsest cells to the finest.
-    std::vector<std::pair<double, double>> sizes = {
-      {std::max(c, zones.plastic_zone), zones.plastic_zone},
-      {c, zones.medium_depth},
-      {c, zones.fine_depth},
-      {c, zones.surface_depth}};
-    sizes.resize(halvings);
-    for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
-      sizes.emplace_back(c, zones.surface_depth / static_cast<double>(1u << k));
+    /// Half sides and depths of the zones in which cells are halved, from the coarsest cells to the
+    /// finest.
+    std::vector<std::pair<double, double>>
+    halved_zones(const Zones &zones, const double core_side, const unsigned int halvings)
+    {
+      std::vector<std::pair<double, double>> sizes = {
+        {std::max(core_side, zones.plastic_zone), zones.plastic_zone},
+        {core_side, zones.medium_depth},
+        {core_side, zones.fine_depth},
+        {core_side, zones.surface_depth}};
+      sizes.resize(halvings);
+      for (unsigned int k = 1; k <= zones.surface_halvings; ++k)
+        sizes.emplace_back(core_side, zones.surface_depth / static_cast<double>(1u << k));
+      return sizes;
+    }
+  } // namespace
+
+  void Zones::check() const
+  {
+    const auto zone =
+      [](const bool holds, const char *name, const double value, const char *range) {
+        require(holds, "mesh zones", name, value, range);
+      };
+    // First, so that what follows compares numbers only.
+    const std::pair<const char *, double> lengths[] = {{"contact_zone", contact_zone},
+                                                       {"plastic_zone", plastic_zone},
+                                                       {"fine_depth", fine_depth},
+                                                       {"surface_depth", surface_depth},
+                                                       {"medium_depth", medium_depth},
+                                                       {"domain_radius", domain_radius},
+                                                       {"growth", growth},
+                                                       {"stretch", stretch}};
+    for (const auto &[name, value] : lengths)
+      zone(std::isfinite(value), name, value, "finite");
+    zone(resolution >= 2 && resolution <= 1024, "resolution", resolution, "from 2 to 1024");
+    zone(octaves <= 12, "octaves", octaves, "at most 12");
+    zone(refinements <= 6, "refinements (option level)", refinements, "at most 6");
+    zone(surface_halvings <= 4, "surface_halvings", surface_halvings, "at most 4");
+    zone(
+      contact_zone > 1 && contact_zone < 10, "contact_zone", contact_zone, "above 1 and below 10");
+    zone(plastic_zone >= contact_zone, "plastic_zone", plastic_zone, "at least contact_zone");
+    zone(fine_depth > 0 && fine_depth <= medium_depth,
+         "fine_depth",
+         fine_depth,
+         "positive and at most medium_depth");
+    zone(surface_depth > 0 && surface_depth <= fine_depth,
+         "surface_depth",
+         surface_depth,
+         "positive and at most fine_depth");
+    zone(medium_depth <= contact_zone, "medium_depth", medium_depth, "at most contact_zone");
+    zone(domain_radius >= 2 * plastic_zone,
+         "domain_radius",
+         domain_radius,
+         "at least twice plastic_zone");
+    zone(growth > 1 && growth <= 3, "growth", growth, "above 1 and at most 3");
+    zone(stretch > 0, "stretch", stretch, "positive");
+  }
+
+  void make_zoned_mesh(const Zones &zones, dealii::Triangulation<2> &mesh)
+  {
+    zones.check();
+    const unsigned int halvings = number_of_halvings(zones.resolution);
+    const Blocks       blocks   = blocks_of(zones, halvings);
+    make_blocks(blocks, mesh);
     halve_zones(
-      sizes,
+      halved_zones(zones, blocks.core_side, halvings),
       zones.octaves,
       [](const dealii::Point<2> &p) { return std::make_pair(p[0], -p[1]); },
       mesh);
-    mesh.refine_global(zones.level);
+    mesh.refine_global(zones.refinements);
     if (zones.stretch != 1)
       dealii::GridTools::scale(zones.stretch, mesh);
     check_mesh(mesh);

@@ -1,13 +1,14 @@
 // What a call of the contact law takes beside a call of Hertz's, by Google Benchmark. The first
-// argument is a universal table. Overlaps are drawn beforehand; 4096 contacts with a state each
-// stand for a bed, in which loading and unloading follow each other at random.
-#include "database/contact_law.h"
+// argument is a universal table. The overlaps are drawn beforehand; 4096 contacts, each with a
+// state of its own, stand for a bed, in which loading and unloading follow each other at random.
+#include "database/contact_law/contact_law.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <random>
 
@@ -20,16 +21,15 @@ namespace
 
   std::optional<ContactLaw> universal, row;
 
-  const ContactLaw &law(const bool is_universal) { return is_universal ? *universal : *row; }
-
+  /// How the overlaps of a contact follow each other.
   enum Pattern
   {
-    loading,
-    unloading,
-    bed
+    loading,   ///< every contact is new
+    unloading, ///< all lie below the peak so far
+    bed        ///< a random walk
   };
 
-  /// Overlaps, `contacts` a round.
+  /// Overlaps of all contacts in all rounds, `contacts` in each round.
   std::vector<double> overlaps(const ContactLaw &of, const Pattern pattern)
   {
     std::mt19937_64                        random(7);
@@ -79,11 +79,10 @@ namespace
   };
 
   void contact(benchmark::State &state,
-               const bool        is_universal,
+               const ContactLaw &of,
                const Pattern     pattern,
                const Constants   constants)
   {
-    const ContactLaw         &of    = law(is_universal);
     const ContactPair         one   = of.pair(radius);
     const std::vector<double> delta = overlaps(of, pattern);
     const ContactState        start{pattern == unloading ? 100 * of.approach_yield(radius) : 0};
@@ -122,7 +121,7 @@ namespace
   void construction(benchmark::State &state, const ContactTable &table)
   {
     for (auto _ : state)
-      benchmark::DoNotOptimize(ContactLaw::universal({10e9, .17, 26, 10e6}, table));
+      benchmark::DoNotOptimize(ContactLaw::universal({10e9, 0.17, 26, 10e6}, table));
   }
 } // namespace
 
@@ -136,14 +135,15 @@ int main(int argc, char **argv)
       return 2;
     }
   const ContactTable table = ContactTable::read(file);
-  universal                = ContactLaw::universal({10e9, .17, 26, 10e6}, table);
-  row = ContactLaw::from_row({1.0997, 1.435, 2.4076, 1.3686, .3354, 3.6436e-7, radius});
+  universal                = ContactLaw::universal({10e9, 0.17, 26, 10e6}, table);
+  row = ContactLaw::from_row({1.0997, 1.435, 2.4076, 1.3686, 0.3354, 3.6436e-7, radius});
   benchmark::RegisterBenchmark("hertz", hertz);
-  for (const bool kind : {true, false})
+  for (const ContactLaw *const law : {&*universal, &*row})
     {
-      const std::string name = kind ? "universal/" : "row/";
+      const std::string name = law == &*universal ? "universal/" : "row/";
       const auto        add  = [&](const char *what, const Pattern pattern, const Constants from) {
-        benchmark::RegisterBenchmark((name + what).c_str(), contact, kind, pattern, from);
+        benchmark::RegisterBenchmark(
+          (name + what).c_str(), contact, std::cref(*law), pattern, from);
       };
       add("loading", loading, one_pair);
       add("unloading", unloading, one_pair);

@@ -1,11 +1,13 @@
-// What the parts of a curve take, by Google Benchmark. Parts of the solution are measured in one state: the
-// material with Λ = 392 loaded to its peak and pressed on by 2 %, so that the points that have yielded flow.
+// What the parts of a curve take, by Google Benchmark. Parts of the solution are measured in one
+// state: the material with Λ = 392 loaded to its peak and pressed on by 2 %, so that the points
+// that have yielded flow.
 #include "fitting/curve_fit.h"
 #include "meshing/zoned_mesh.h"
-#include "solver/contact_system.h"
-#include "solver/environment.h"
-#include "solver/load_path.h"
-#include "solver/solve.h"
+#include "solver/parallel/environment.h"
+#include "solver/path/load_path.h"
+#include "solver/path/solution.h"
+#include "solver/path/solve.h"
+#include "solver/system/contact_system.h"
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace
 {
@@ -22,7 +25,7 @@ namespace
   constexpr unsigned int loading_steps = 10;
   constexpr double       press         = 1.02;
 
-  Material material() { return {10e9, 0.1, 20 * M_PI / 180, 5e6}; }
+  Material material() { return {10e9, 0.1, Angle(20), 5e6}; }
 
   /// A coarse solution: it knows the contact radius at the peak, and it has a curve to fit.
   const Solution &coarse_solution()
@@ -46,9 +49,10 @@ namespace
     law.xi            = 1;
     law.shear_modulus = 1 / (2 * (1 + nu));
     law.bulk_modulus  = 1 / (3 * (1 - 2 * nu));
-    law.alpha         = laws::drucker_prager_alpha(rock.friction_angle);
+    law.alpha         = laws::drucker_prager_alpha(rock.friction_angle.radians());
     law.strength =
-      laws::drucker_prager_strength(rock.friction_angle, rock.compressive_strength) / stress;
+      laws::drucker_prager_strength(rock.friction_angle.radians(), rock.compressive_strength) /
+      stress;
     return law;
   }
 
@@ -70,29 +74,33 @@ namespace
   struct Space
   {
     dealii::Triangulation<2>           mesh;
-    std::unique_ptr<Discretization<2>> discretization;
+    std::unique_ptr<Discretisation<2>> discretisation;
 
     explicit Space(const unsigned int resolution)
     {
       make_zoned_mesh(zones(resolution), mesh);
-      discretization =
-        std::make_unique<Discretization<2>>(mesh, far_field(), Element::serendipity_reduced);
+      discretisation =
+        std::make_unique<Discretisation<2>>(mesh, far_field(), Element::serendipity_reduced);
     }
 
-    static const Discretization<2> &get(const unsigned int resolution)
+    static const Discretisation<2> &get(const unsigned int resolution)
     {
       static std::map<unsigned int, std::unique_ptr<Space>> made;
       auto                                                 &space = made[resolution];
       if (!space)
         space = std::make_unique<Space>(resolution);
-      return *space->discretization;
+      return *space->discretisation;
     }
   };
 
   std::unique_ptr<ContactSystem<2>> make_system(const unsigned int resolution, const bool condensed)
   {
-    return std::make_unique<ContactSystem<2>>(
-      Space::get(resolution), scaled_law(), Profile(1., 0.), SolverOptions().penalty_stiffness, condensed);
+    return std::make_unique<ContactSystem<2>>(Space::get(resolution),
+                                              std::vector<laws::Law>{scaled_law()},
+                                              UndeformedGap(1., 0.),
+                                              SolverOptions().penalty_stiffness,
+                                              condensed ? Condensation::nested_subdomains
+                                                        : Condensation::none);
   }
 
   struct Loaded
@@ -109,9 +117,9 @@ namespace
       path.load(scaled_peak_force(), 1.);
       reach = system->reach();
       system->set_control(ContactSystem<2>::Control::force, press * scaled_peak_force(), 1.);
-      for (double &value : system->u)
+      for (double &value : system->unknowns().u)
         value *= press;
-      system->approach *= press;
+      system->unknowns().approach *= press;
       system->residual();
       if (system->reach() <= 1)
         throw std::logic_error("the state to be measured does not flow");
@@ -136,7 +144,7 @@ namespace
   {
     auto &system               = *Loaded::get(resolution(state), state.range(1) != 0).system;
     state.counters["unknowns"] = system.tangent().n();
-    state.counters["dofs"]     = system.discretization().n_free();
+    state.counters["dofs"]     = system.discretisation().n_free();
     return system;
   }
 
@@ -187,16 +195,16 @@ namespace
 
   void factorise(benchmark::State &state)
   {
-    const auto    &matrix = loaded_system(state).tangent();
-    const auto solver = make_direct_solver(matrix);
+    const auto &matrix = loaded_system(state).tangent();
+    const auto  solver = make_direct_solver(matrix);
     for (auto _ : state)
       benchmark::DoNotOptimize(solver->factorize(matrix));
   }
 
   void solve(benchmark::State &state)
   {
-    const auto    &matrix = loaded_system(state).tangent();
-    const auto solver = make_direct_solver(matrix);
+    const auto &matrix = loaded_system(state).tangent();
+    const auto  solver = make_direct_solver(matrix);
     solver->factorize(matrix);
     const std::vector<double> b(matrix.n(), 1.);
     std::vector<double>       x;
@@ -224,7 +232,7 @@ namespace
     make_zoned_mesh(zones(resolution(state)), triangulation);
     for (auto _ : state)
       {
-        Discretization<2> space(triangulation, far_field(), Element::serendipity_reduced);
+        Discretisation<2> space(triangulation, far_field(), Element::serendipity_reduced);
         benchmark::DoNotOptimize(space.n_free());
       }
   }
@@ -234,7 +242,8 @@ namespace
   {
     Space::get(resolution(state));
     for (auto _ : state)
-      benchmark::DoNotOptimize(make_system(resolution(state), state.range(1) != 0)->u.data());
+      benchmark::DoNotOptimize(
+        make_system(resolution(state), state.range(1) != 0)->unknowns().u.data());
   }
 
   /// All further cores up to the one in use at the peak: patterns, condensation, symbolic analysis.

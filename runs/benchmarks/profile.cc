@@ -1,8 +1,10 @@
-// Where the time of whole curves goes: the processor-time timer interrupts the solver, and every sample is booked
-// on the stage whose function stands deepest in its stack. Run: dpcontact_profile E ν φ σc RESOLUTION (GPa, °, MPa).
+// Where the time of whole curves goes: the processor-time timer interrupts the solver, and every
+// sample is booked on the stage whose function stands deepest in its stack. Run: dpcontact_profile
+// E ν φ σc RESOLUTION (GPa, °, MPa).
 #include "fitting/curve_fit.h"
-#include "solver/environment.h"
-#include "solver/solve.h"
+#include "solver/parallel/environment.h"
+#include "solver/path/solution.h"
+#include "solver/path/solve.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,18 +24,18 @@
 
 namespace
 {
-  constexpr double       least_seconds = 4; ///< whole curves are repeated until then
-  constexpr int          depth         = 64;
-  constexpr std::size_t  most_samples  = 100000;
-  constexpr suseconds_t  period        = 1000; ///< µs asked for; the kernel's tick is the least
+  constexpr double      least_seconds = 4; ///< whole curves are repeated until then
+  constexpr int         depth         = 64;
+  constexpr std::size_t most_samples  = 100000;
+  constexpr suseconds_t period        = 1000; ///< µs asked for; the kernel's tick is the least
 
   struct Sample
   {
     std::array<void *, depth> frames;
     int                       n;
   };
-  std::vector<Sample>   samples(most_samples);
-  volatile std::size_t  taken = 0;
+  std::vector<Sample>  samples(most_samples);
+  volatile std::size_t taken = 0;
 
   void take_sample(int)
   {
@@ -60,13 +62,13 @@ namespace
   constexpr std::array<Stage, 12> stages{{{"CholeskySolver::factorize", "factorise"},
                                           {"CholeskySolver::solve", "solve"},
                                           {"make_direct_solver", "core"},
-                                          {"Core<2>::Core", "core"},
+                                          {"CondensedSubdomain<2>::CondensedSubdomain", "core"},
                                           {"ContactSystem<2>::correction", "assemble"},
                                           {"ContactSystem<2>::residual", "residual"},
                                           {"ContactSystem<2>::complete", "rest after a step"},
                                           {"make_zoned_mesh", "mesh"},
                                           {"dpcontact::assess", "mesh"},
-                                          {"Discretization<2>::Discretization", "discretisation"},
+                                          {"Discretisation<2>::Discretisation", "discretisation"},
                                           {"ContactSystem<2>::ContactSystem", "elastic stiffness"},
                                           {"fit_curve", "fit"}}};
 
@@ -104,7 +106,8 @@ namespace
           if (result.stage == "other" && name->second.find(stage.function) != std::string::npos)
             result.stage = stage.name;
         // Condensation factorises and solves as well.
-        condensing      = condensing || name->second.find("Core<2>::Core") != std::string::npos;
+        condensing = condensing || name->second.find("CondensedSubdomain<2>::CondensedSubdomain") !=
+                                     std::string::npos;
         result.in_pilot = result.in_pilot || name->second.find("run_to_peak") != std::string::npos;
         result.complete = result.complete || name->second == "main";
       }
@@ -123,8 +126,11 @@ int main(int argc, char **argv)
       return 2;
     }
   const Environment environment;
-  const Material material{1e9 * std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3]) * M_PI / 180, 1e6 * std::atof(argv[4])};
-  SolverOptions options;
+  const Material    material{1e9 * std::atof(argv[1]),
+                          std::atof(argv[2]),
+                          Angle(std::atof(argv[3])),
+                          1e6 * std::atof(argv[4])};
+  SolverOptions     options;
   options.resolution = static_cast<unsigned int>(std::atoi(argv[5]));
 
   Sample warm_up{}; // the first backtrace() loads a library, which no signal handler may

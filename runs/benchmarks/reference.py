@@ -6,7 +6,7 @@ import pathlib
 import measure
 from laws import COEFFICIENTS, coefficient_difference, law_difference
 
-FILE = pathlib.Path(__file__).resolve().parents[1] / "benchmark_reference.json"
+FILE = pathlib.Path(__file__).resolve().parent / "benchmark_reference.json"
 
 # The reference first, then its witnesses: fine meshes on which the edge of the contact meets other nodes. What
 # they disagree on is not known better. The tolerances make the load step end where no step is cut back any more:

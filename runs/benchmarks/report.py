@@ -89,7 +89,7 @@ class Pages:
         if reference["witnesses"]:
             law, coefficient = doubt(reference)
             text += (f". Other fine meshes differ from the reference by up to {percent(law)} in the law and "
-                     f"{percent(coefficient)} in a coefficient (`runs/benchmark_reference.json`): smaller errors say "
+                     f"{percent(coefficient)} in a coefficient (`runs/benchmarks/benchmark_reference.json`): smaller errors say "
                      "nothing.")
         head = ["options", "law", "a, b, m, n", "s", "time", "DoFs", "steps", "Newton", "ms / Newton", "MB"]
         default = rows[0]["processor_seconds"]

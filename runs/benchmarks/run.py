@@ -4,7 +4,7 @@ import argparse
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "studies"))
 
 import measure  # noqa: E402
 import reference  # noqa: E402

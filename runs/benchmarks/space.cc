@@ -1,11 +1,11 @@
 // What one elastic and one plastic step cost in space, and what the linear solver does in them.
 // Run, also under mpirun: dpcontact_space GEOMETRY ELEMENT RESOLUTION LEVEL DOMAIN-RADIUS SOLVER
 // ANGLE (as `dpcontact solve` names them); prints JSON, and every finished step to standard error.
-#include "solver/contact_model.h"
-#include "solver/environment.h"
-#include "solver/first_yield.h"
-#include "solver/hertz.h"
-#include "solver/pilot.h"
+#include "solver/closed_form/first_yield.h"
+#include "solver/closed_form/hertz.h"
+#include "solver/parallel/environment.h"
+#include "solver/path/pilot.h"
+#include "solver/path/runs.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ namespace
     Material rock; // type 1 of the paper
     rock.youngs_modulus       = 10e9;
     rock.poisson_ratio        = 0.15;
-    rock.friction_angle       = 25 * M_PI / 180;
+    rock.friction_angle       = Angle(25);
     rock.compressive_strength = 15e6;
     Scene scene;
     scene.radius           = 0.1;
@@ -45,7 +45,7 @@ namespace
     ContactModel<3> model(rock, scene, options, radius, processes);
     nlohmann::json  result = {{"processes", processes.size()},
                               {"cells", model.quality().n_cells},
-                              {"unknowns", model.discretization().n_free()},
+                              {"unknowns", model.discretisation().n_free()},
                               {"set_up_seconds", seconds() - start}};
 
     double       since  = seconds();
@@ -63,7 +63,7 @@ namespace
       since      = seconds();
     };
     const auto legs =
-      model.run_history({{elastic_share * yield.onset_force(), 1}, {scene.force_max, 1}}, step);
+      run_history(model, {{elastic_share * yield.onset_force(), 1}, {scene.force_max, 1}}, step);
     const double elastic_force = elastic_share * yield.onset_force();
     result["elastic_error"] =
       legs[0].back().approach / hertz::approach(rock, scene, elastic_force) - 1;
@@ -84,12 +84,12 @@ try
                      "SOLVER ANGLE\n";
         return 2;
       }
-    SolverOptions options = SolverOptions::of(parse_geometry(argv[1]));
-    options.element       = parse_element(argv[2]);
+    SolverOptions options = SolverOptions::of(parse_enum<Geometry>(argv[1]));
+    options.element       = parse_enum<Element>(argv[2]);
     options.resolution    = static_cast<unsigned int>(std::stoul(argv[3]));
-    options.level         = static_cast<unsigned int>(std::stoul(argv[4]));
+    options.refinements   = static_cast<unsigned int>(std::stoul(argv[4]));
     options.domain_radius = std::stod(argv[5]);
-    options.linear_solver = parse_linear_solver(argv[6]);
+    options.linear_solver = parse_enum<LinearSolver>(argv[6]);
     options.sector_angle  = std::stod(argv[7]);
     options.check();
     const Environment    environment;

@@ -1,11 +1,13 @@
-#include "database/checks.h"
-#include "database/exports.h"
-#include "database/files.h"
-#include "database/read_in_child.h"
+#include "database/files/digest.h"
+#include "database/files/files.h"
+#include "database/rows/checks.h"
+#include "database/rows/exports.h"
+#include "database/rows/read_in_child.h"
+#include "database/tables/universal_checks.h"
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
+#include "runs/interface/documents.h"
 
 #include <iostream>
 #include <memory>
@@ -23,7 +25,7 @@ namespace dpcontact::commands
     bool is_universal(const std::filesystem::path &file)
     {
       return file.extension() == ".csv" &&
-             read_file(file).rfind("# dpcontact: universal table", 0) == 0;
+             read_file(file).rfind(std::string("# ") + universal_title, 0) == 0;
     }
 
     std::vector<Finding> findings_of(const std::filesystem::path &file)

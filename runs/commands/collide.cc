@@ -1,9 +1,11 @@
-#include "runs/collision.h"
+#include "database/contact_law/collision.h"
+#include "database/contact_law/law_of_case.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/contact_law_input.h"
-#include "runs/documents.h"
-#include "solver/first_yield.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
+#include "solver/closed_form/first_yield.h"
+#include "solver/problem/quantity.h"
 
 #include <iostream>
 #include <memory>

@@ -1,7 +1,8 @@
+#include "database/rows/comparison.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/comparison.h"
-#include "runs/documents.h"
+#include "runs/interface/documents.h"
+#include "solver/problem/quantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,8 @@ namespace dpcontact::commands
       if (!options.csv.empty())
         write_csv(std::filesystem::path(options.csv), rows);
 
-      constexpr const char *names[] = {"a", "b", "m", "n"};
-      using Difference              = RowComparison::Difference;
-      const auto agree              = [&](double Difference::*stated) {
+      using Difference = RowComparison::Difference;
+      const auto agree = [&](double Difference::*stated) {
         return std::count_if(rows.begin(), rows.end(), [stated](const RowComparison &row) {
           return row.agrees(stated);
         });
@@ -42,8 +42,8 @@ namespace dpcontact::commands
               largest       = std::max(largest, std::abs(d.other / d.value - 1));
               share         = std::max(share, std::abs(d.other - d.value) / d.total);
             }
-          coefficients[names[c]] = {{"largest_relative_difference", largest},
-                                    {"largest_over_total_error", share}};
+          coefficients[coefficient_names[c]] = {{"largest_relative_difference", largest},
+                                                {"largest_over_total_error", share}};
         }
       if (options.json)
         print_document({{"database", options.database},
@@ -58,7 +58,7 @@ namespace dpcontact::commands
                     << " rows agree within the sum of their stated errors, "
                     << agree(&Difference::numerical)
                     << " within the numerical parts alone (mesh, load step, contact, far field)\n";
-          for (const char *name : names)
+          for (const char *name : coefficient_names)
             std::cout << "  " << name << ": differs by at most "
                       << format_quantity(
                            100 * coefficients[name]["largest_relative_difference"].get<double>(),

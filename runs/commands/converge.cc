@@ -1,9 +1,11 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/convergence.h"
-#include "runs/documents.h"
-#include "runs/version.h"
-#include "solver/environment.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
+#include "runs/interface/version.h"
+#include "runs/studies/convergence.h"
+#include "solver/parallel/environment.h"
+#include "solver/problem/quantity.h"
 
 #include <cmath>
 #include <iomanip>
@@ -22,30 +24,16 @@ namespace dpcontact::commands
       bool         json = false;
     };
 
-    constexpr const char *names[] = {"a", "b", "m", "n"};
-
     Json by_coefficient(const std::array<double, 4> &values)
     {
-      Json result;
-      for (unsigned int c = 0; c < 4; ++c)
-        result[names[c]] = values[c];
-      return result;
+      return by_name(Coefficients::from(values));
     }
 
     Json errors_json(const CoefficientErrors &errors)
     {
       Json result;
-      for (unsigned int c = 0; c < 4; ++c)
-        {
-          const ErrorParts &e = errors[c];
-          result[names[c]]    = {{"mesh", e.mesh},
-                                 {"step", e.step},
-                                 {"contact", e.contact},
-                                 {"far_field", e.far_field},
-                                 {"finite_radius", e.finite_radius},
-                                 {"fit", e.fit},
-                                 {"total", e.total()}};
-        }
+      for (std::size_t c = 0; c < coefficient_names.size(); ++c)
+        result[coefficient_names[c]] = error_json(errors[c], errors[c].total());
       return result;
     }
 
@@ -105,7 +93,7 @@ namespace dpcontact::commands
     void print_for_people(const Case &input, const Convergence &found)
     {
       std::cout << label(input) << "\n\n" << std::setw(34) << "";
-      for (const char *name : names)
+      for (const char *name : coefficient_names)
         std::cout << std::setw(14) << name;
       std::cout << '\n';
       print_row("as asked for", found.values);

@@ -1,7 +1,7 @@
-#include "database/files.h"
+#include "database/files/files.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/evaluation.h"
+#include "runs/studies/evaluation.h"
 
 #include <iostream>
 #include <memory>
@@ -14,7 +14,7 @@ namespace dpcontact::commands
     {
       std::string rows          = default_database(LookupMethod::kriging).string();
       std::string universal     = default_database(LookupMethod::similarity).string();
-      std::string held_out      = DPCONTACT_DATABASE_DIRECTORY "/../runs/held_out.json";
+      std::string held_out      = DPCONTACT_DATABASE_DIRECTORY "/../runs/studies/held_out.json";
       bool        held_out_only = false;
       bool        json          = false;
     };
@@ -49,7 +49,8 @@ namespace dpcontact::commands
     command->add_option("--rows", options->rows, "the paper's 162 rows")->type_name("FILE");
     command->add_option("--universal", options->universal, "the universal table")
       ->type_name("FILE");
-    command->add_option("--held-out", options->held_out, "curves that runs/held_out computed")
+    command
+      ->add_option("--held-out", options->held_out, "curves that runs/studies/held_out computed")
       ->type_name("FILE");
     command->add_flag("--held-out-only",
                       options->held_out_only,

@@ -1,9 +1,9 @@
-#include "database/exports.h"
-#include "database/packages.h"
+#include "database/rows/exports.h"
+#include "database/rows/packages.h"
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
+#include "runs/interface/documents.h"
 
 #include <iostream>
 #include <memory>
@@ -37,7 +37,7 @@ namespace dpcontact::commands
         }
       if (!options.datapackage.empty())
         {
-          write_datapackage(options.datapackage, options.csv, database);
+          write_datapackage(options.datapackage, options.csv, package_of(database));
           note("datapackage", options.datapackage);
         }
       if (!options.xlsx.empty())
@@ -52,9 +52,7 @@ namespace dpcontact::commands
         }
       if (!options.datacite.empty())
         {
-          write_datacite(options.datacite,
-                         "dpcontact: coefficients of elastic-plastic contact",
-                         database.provenance);
+          write_datacite(options.datacite, database_title, database.provenance);
           note("datacite", options.datacite);
         }
       written["rows"] = database.records.size();

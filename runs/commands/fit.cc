@@ -1,11 +1,12 @@
-#include "database/row_store.h"
-#include "database/store.h"
+#include "database/rows/row.h"
+#include "database/rows/row_store.h"
+#include "database/rows/store.h"
+#include "fitting/curve_fit.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
-#include "runs/row.h"
+#include "runs/interface/documents.h"
+#include "solver/problem/quantity.h"
 
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -24,24 +25,14 @@ namespace dpcontact::commands
     };
 
     /// Relative changes of a, b, m, n.
-    using Changes = std::array<double, 4>;
-
-    constexpr std::array<double Record::*, 4> coefficients{&Record::a,
-                                                           &Record::b,
-                                                           &Record::m,
-                                                           &Record::n};
-
-    Json json_of(const Changes &changes)
-    {
-      return {{"a", changes[0]}, {"b", changes[1]}, {"m", changes[2]}, {"n", changes[3]}};
-    }
+    using Changes = Coefficients;
 
     Changes changes_between(const Record &stored, const Record &refitted)
     {
-      Changes changes{};
-      for (std::size_t i = 0; i < coefficients.size(); ++i)
+      Changes changes;
+      for (std::size_t i = 0; i < coefficient_names.size(); ++i)
         {
-          const double before = stored.*coefficients[i], after = refitted.*coefficients[i];
+          const double before = stored.law[i], after = refitted.law[i];
           changes[i] = std::isnan(before) ? std::numeric_limits<double>::infinity()
                                           : std::abs(after - before) / std::abs(before);
         }
@@ -64,37 +55,37 @@ namespace dpcontact::commands
     ExitCode run(const Options &options)
     {
       Database database = read_store(options.database);
-      Changes  largest{};
+      Changes  largest{0, 0, 0, 0};
       Json     rows       = Json::array();
       bool     all_fitted = true;
       for (Record &row : database.records)
         {
-          const Case             input = case_of(row);
+          const Case            &input = row.input;
           std::optional<Changes> changes;
           if (!row.curve.loading.empty())
             {
               const Record stored = row;
               fit_row(row);
               changes = changes_between(stored, row);
-              for (std::size_t i = 0; i < largest.size(); ++i)
+              for (std::size_t i = 0; i < coefficient_names.size(); ++i)
                 largest[i] = std::max(largest[i], (*changes)[i]);
             }
-          all_fitted = all_fitted && row.status == "converged";
+          all_fitted = all_fitted && row.converged();
           if (options.json)
             rows.push_back({{"material", material_json(input)},
                             {"scene", scene_json(input)},
                             {"fit", fit_json(row)},
-                            {"published_convention", published_json(row)},
-                            {"residual_approach", row.approach_residual_m},
-                            {"change", changes ? json_of(*changes) : Json()},
+                            {"published_convention", published_json(row.fit.published)},
+                            {"residual_approach", row.state.approach_residual},
+                            {"change", changes ? by_name(*changes) : Json()},
                             {"status", row.status},
                             {"reason", row.reason}});
           else
             {
               std::cout << label(input) << ": ";
-              for (std::size_t i = 0; changes && i < coefficients.size(); ++i)
-                std::cout << "abmn"[i] << " = "
-                          << format_quantity(row.*coefficients[i], Dimension::number) << ", ";
+              for (std::size_t i = 0; changes && i < coefficient_names.size(); ++i)
+                std::cout << coefficient_names[i] << " = "
+                          << format_quantity(row.law[i], Dimension::number) << ", ";
               std::cout << row.status << (row.reason.empty() ? "" : ": ") << row.reason << '\n';
             }
         }
@@ -104,13 +95,14 @@ namespace dpcontact::commands
       if (options.json)
         print_document({{"database", options.database},
                         {"rows", rows},
-                        {"largest_change", json_of(largest)},
+                        {"largest_change", by_name(largest)},
                         {"written", options.write}});
       else
         {
           std::cout << "largest relative change:";
-          for (std::size_t i = 0; i < largest.size(); ++i)
-            std::cout << ' ' << "abmn"[i] << ' ' << format_quantity(largest[i], Dimension::number);
+          for (std::size_t i = 0; i < coefficient_names.size(); ++i)
+            std::cout << ' ' << coefficient_names[i] << ' '
+                      << format_quantity(largest[i], Dimension::number);
           std::cout << (options.write ? "; written to " : "; not written (--write does) to ")
                     << options.database << '\n';
         }

@@ -1,10 +1,10 @@
-#include "runs/hard_cases.h"
+#include "runs/studies/hard_cases.h"
 
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
-#include "solver/environment.h"
+#include "runs/interface/documents.h"
+#include "solver/parallel/environment.h"
 
 #include <algorithm>
 #include <cstdio>

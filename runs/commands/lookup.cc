@@ -1,9 +1,10 @@
-#include "runs/lookup.h"
-
-#include "database/files.h"
+#include "database/files/files.h"
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/lookup_documents.h"
+#include "solver/problem/quantity.h"
 
 #include <iostream>
 #include <memory>
@@ -43,7 +44,7 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      const LookupMethod method = parse_lookup_method(options.method);
+      const LookupMethod method = parse_enum<LookupMethod>(options.method);
       const unsigned int points = options.curve.empty() ? 0 : parse_count("curve", options.curve);
       if (points > 100000)
         throw InputError("curve is " + options.curve + "; it must be at most 100000 points");
@@ -62,7 +63,7 @@ namespace dpcontact::commands
           std::cout << describe(input, result);
           if (points > 0)
             {
-              const Json curve = lookup_json(input, result, points)["curve"];
+              const Json curve = lookup_curve_json(result, points);
               std::cout << "branch,approach_m,force_N\n";
               for (const char *const branch : {"loading", "unloading"})
                 for (const Json &point : curve[branch])

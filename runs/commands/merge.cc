@@ -1,9 +1,10 @@
-#include "runs/merge.h"
+#include "runs/sweep/merge.h"
 
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/commands/sweep_options.h"
-#include "runs/documents.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "runs/commands/options.h"
 
-#include "runs/parameter_file.h"
+#include "runs/interface/parameter_file.h"
 
 namespace dpcontact::commands
 {
@@ -38,11 +38,5 @@ namespace dpcontact::commands
     if (!parameter_file.empty())
       texts.merge(read_parameter_file(parameter_file, allowed)); // keeps what is there already
     return texts;
-  }
-
-  std::vector<Setting> operator+(std::vector<Setting> left, const std::vector<Setting> &right)
-  {
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
   }
 } // namespace dpcontact::commands

@@ -1,7 +1,7 @@
 #ifndef DPCONTACT_RUNS_COMMANDS_OPTIONS_H
 #define DPCONTACT_RUNS_COMMANDS_OPTIONS_H
 
-#include "runs/settings.h"
+#include "runs/interface/settings.h"
 
 #include <CLI/App.hpp>
 
@@ -27,8 +27,6 @@ namespace dpcontact::commands
   SettingTexts merged(const std::string          &parameter_file,
                       const std::vector<Setting> &allowed,
                       const SettingTexts         &command_line);
-
-  std::vector<Setting> operator+(std::vector<Setting> left, const std::vector<Setting> &right);
 } // namespace dpcontact::commands
 
 #endif

@@ -1,12 +1,16 @@
-#include "runs/checkpoint_file.h"
+#include "solver/path/solve.h"
+
+#include "database/rows/row.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
-#include "runs/result_files.h"
-#include "runs/row.h"
-#include "runs/second_body.h"
-#include "runs/version.h"
-#include "solver/environment.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/checkpoint_file.h"
+#include "runs/interface/documents.h"
+#include "runs/interface/result_files.h"
+#include "runs/interface/version.h"
+#include "solver/parallel/environment.h"
+#include "solver/path/solution.h"
+#include "solver/problem/quantity.h"
 
 #include <cmath>
 #include <filesystem>
@@ -25,15 +29,18 @@ namespace dpcontact::commands
       bool         json = false;
     };
 
-    const Setting output{
-      "output",
-      Setting::Kind::text,
-      "directory for fields (VTU), curve, profile and points (CSV) and the result (JSON)"};
+    const char *const output_name     = "output";
+    const char *const checkpoint_name = "checkpoint";
 
-    const Setting checkpoint_file{
-      "checkpoint",
-      Setting::Kind::text,
-      "file that keeps the state after every step; a run that was stopped goes on from it"};
+    std::vector<Setting> own_settings()
+    {
+      return {text_setting(output_name,
+                           "directory for fields (VTU), curve, profile and points (CSV) and the "
+                           "result (JSON)"),
+              text_setting(checkpoint_name,
+                           "file that keeps the state after every step; a run that was stopped "
+                           "goes on from it")};
+    }
 
     /// Says on a terminal how far the solver is.
     void report_step(const char *stage, const double fraction, const int newton_iterations)
@@ -59,19 +66,19 @@ namespace dpcontact::commands
               {"yield", yield_json(solution.yield)},
               {"fit", fit_json(row)},
               {"error", error_json(row)},
-              {"published_convention", published_json(row)},
+              {"published_convention", published_json(row.fit.published)},
               {"peak",
                {{"force", row.curve.loading.back().force},
-                {"approach", row.approach_peak_m},
-                {"contact_radius", row.contact_radius_peak_m},
-                {"pressure", row.pressure_peak_Pa},
-                {"plastic_strain", row.plastic_strain_max}}},
-              {"residual_approach", row.approach_residual_m},
+                {"approach", row.state.approach_peak},
+                {"contact_radius", row.state.contact_radius_peak},
+                {"pressure", row.state.pressure_peak},
+                {"plastic_strain", row.state.plastic_strain_max}}},
+              {"residual_approach", row.state.approach_residual},
               {"plastic_zone", plastic_zone_json(solution.plastic_zone)},
               {"flow_zone", plastic_zone_json(solution.flow_zone)},
-              {"plastic_volume", row.plastic_volume_m3},
-              {"dissipated_energy", row.dissipated_energy_J},
-              {"apex_points", row.apex_points},
+              {"plastic_volume", row.state.plastic_volume},
+              {"dissipated_energy", row.state.dissipated_energy},
+              {"apex_points", row.state.apex_points},
               {"step_error", solution.step_error},
               {"checks", checks_json(solution.checks)},
               {"cost", cost_json(row)},
@@ -103,19 +110,19 @@ namespace dpcontact::commands
                 << describe_fit(row) << '\n'
                 << "peak      F = "
                 << format_quantity(row.curve.loading.back().force, Dimension::force)
-                << ", approach " << length(row.approach_peak_m) << ", contact radius "
-                << length(row.contact_radius_peak_m) << ", largest pressure "
-                << format_quantity(row.pressure_peak_Pa, Dimension::pressure) << '\n'
-                << "released  residual approach " << length(row.approach_residual_m)
+                << ", approach " << length(row.state.approach_peak) << ", contact radius "
+                << length(row.state.contact_radius_peak) << ", largest pressure "
+                << format_quantity(row.state.pressure_peak, Dimension::pressure) << '\n'
+                << "released  residual approach " << length(row.state.approach_residual)
                 << ", plastic strain up to "
-                << format_quantity(row.plastic_strain_max, Dimension::number) << '\n'
-                << "cost      " << row.dofs << " degrees of freedom, " << row.steps << " steps, "
-                << row.newton_iterations << " Newton iterations, "
-                << format_quantity(row.wall_seconds, Dimension::number) << " s, "
-                << row.peak_memory_bytes / 1000000 << " MB\n"
-                << "error     a " << number(row.a_error_total) << ", b "
-                << number(row.b_error_total) << ", m " << number(row.m_error_total) << ", n "
-                << number(row.n_error_total)
+                << format_quantity(row.state.plastic_strain_max, Dimension::number) << '\n'
+                << "cost      " << row.cost.dofs << " degrees of freedom, " << row.cost.steps
+                << " steps, " << row.cost.newton_iterations << " Newton iterations, "
+                << format_quantity(row.cost.wall_seconds, Dimension::number) << " s, "
+                << row.cost.peak_memory_bytes / 1000000 << " MB\n"
+                << "error     a " << number(row.error[0].total) << ", b "
+                << number(row.error[1].total) << ", m " << number(row.error[2].total) << ", n "
+                << number(row.error[3].total)
                 << " (mesh, load step, contact, far field, finite radius, fit; --json by source)\n"
                 << "accuracy  load step " << format_quantity(solution.step_error, Dimension::number)
                 << " of the peak force\n"
@@ -125,15 +132,15 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
-      const SettingTexts texts = merged(options.parameter_file,
-                                        scene_settings() + second_body_settings() +
-                                          solver_settings() + std::vector{output, checkpoint_file},
-                                        options.texts);
-      Case               input = read_case(texts);
+      const SettingTexts texts =
+        merged(options.parameter_file,
+               scene_settings() + second_body_settings() + solver_settings() + own_settings(),
+               options.texts);
+      Case input = read_case(texts);
       read_second_body(texts, input);
       const SolverOptions used = read_solver_options(texts);
 
-      const auto        found     = texts.find(output.name);
+      const auto        found     = texts.find(output_name);
       const std::string directory = found == texts.end() ? "" : found->second;
       if (!directory.empty())
         make_result_directory(directory);
@@ -147,7 +154,7 @@ namespace dpcontact::commands
                              {"scene", scene_json(input)},
                              {"options", options_json(used)}};
       Checkpoint checkpoint;
-      const auto kept = texts.find(checkpoint_file.name);
+      const auto kept = texts.find(checkpoint_name);
       if (kept != texts.end())
         {
           if (std::filesystem::exists(kept->second))
@@ -184,7 +191,7 @@ namespace dpcontact::commands
         print_document(document);
       else
         print_for_people(input, solution, row);
-      if (row.status != "converged")
+      if (!row.converged())
         throw SolverError(row.reason);
       return ExitCode::success;
     }
@@ -201,7 +208,7 @@ namespace dpcontact::commands
                  options->texts,
                  "Second body (identical to the first unless one is given)");
     add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_settings(*command, {output, checkpoint_file}, options->texts, "Options");
+    add_settings(*command, own_settings(), options->texts, "Options");
     add_parameter_file(*command, options->parameter_file);
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });

@@ -1,13 +1,14 @@
-#include "runs/sweep.h"
+#include "runs/sweep/sweep.h"
 
-#include "database/row_store.h"
+#include "database/rows/row_store.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/commands/sweep_options.h"
-#include "runs/documents.h"
-#include "runs/quantity.h"
-#include "runs/rank_pool.h"
-#include "runs/sweep_jobs.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
+#include "runs/sweep/rank_pool.h"
+#include "runs/sweep/sweep_jobs.h"
+#include "solver/problem/quantity.h"
 
 #include <iostream>
 #include <memory>

@@ -1,8 +1,10 @@
 #include "runs/commands/sweep_options.h"
 
 #include "runs/commands/options.h"
-#include "solver/environment.h"
-#include "solver/families.h"
+#include "runs/interface/case_input.h"
+#include "solver/parallel/environment.h"
+#include "solver/path/families.h"
+#include "solver/problem/quantity.h"
 
 #include <algorithm>
 #include <thread>
@@ -11,17 +13,14 @@ namespace dpcontact::commands
 {
   std::vector<Setting> sweep_settings()
   {
-    return {{"jobs", Setting::Kind::count, "worker processes [all cores]"},
-            {"mode",
-             Setting::Kind::choice,
-             "direct: every row for itself; families: one loading path for rows of equal nu and "
-             "phi [direct]",
-             Dimension::number,
-             {"direct", "families"}},
-            {"database",
-             Setting::Kind::text,
-             "HDF5 file; finished rows are kept in FILE.rows beside it "
-             "[the parameter file's name with .h5, here]"}};
+    return {count_setting("jobs", "worker processes [all cores]"),
+            choice_setting("mode",
+                           "direct: every row for itself; families: one loading path for rows of "
+                           "equal nu and phi [direct]",
+                           enum_names<SweepMode>()),
+            text_setting("database",
+                         "HDF5 file; finished rows are kept in FILE.rows beside it "
+                         "[the parameter file's name with .h5, here]")};
   }
 
   Sweep read_sweep(const std::string &parameter_file, const SettingTexts &given)
@@ -43,10 +42,7 @@ namespace dpcontact::commands
     const auto mode = texts.find("mode");
     if (mode != texts.end())
       {
-        for (const Setting &setting : sweep_settings())
-          if (setting.name == mode->first)
-            setting.check(mode->second);
-        sweep.mode = mode->second == "families" ? SweepMode::families : SweepMode::direct;
+        sweep.mode = parse_enum<SweepMode>(mode->second);
         if (sweep.mode == SweepMode::families)
           for (const Case &input : sweep.cases)
             check_similar(input.material);

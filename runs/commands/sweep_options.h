@@ -1,8 +1,8 @@
 #ifndef DPCONTACT_RUNS_COMMANDS_SWEEP_OPTIONS_H
 #define DPCONTACT_RUNS_COMMANDS_SWEEP_OPTIONS_H
 
-#include "runs/settings.h"
-#include "runs/sweep.h"
+#include "runs/interface/settings.h"
+#include "runs/sweep/sweep.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,11 @@
-#include "database/packages.h"
-#include "database/store.h"
-#include "database/universal_table.h"
+#include "database/rows/packages.h"
+#include "database/rows/store.h"
+#include "database/tables/universal_checks.h"
+#include "database/tables/universal_table.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
-#include "runs/version.h"
+#include "runs/interface/documents.h"
+#include "runs/interface/version.h"
 
 #include <iostream>
 #include <memory>
@@ -28,11 +29,9 @@ namespace dpcontact::commands
         table = table.joined(UniversalTable::read(options.join));
       table.write(options.csv);
       if (!options.datapackage.empty())
-        write_datapackage(options.datapackage, options.csv, table);
+        write_datapackage(options.datapackage, options.csv, package_of(table));
       if (!options.datacite.empty())
-        write_datacite(options.datacite,
-                       "dpcontact: universal table of elastic-plastic contact",
-                       table.made_from());
+        write_datacite(options.datacite, universal_title, table.made_from());
       if (options.json)
         print_document({{"database", options.database},
                         {"csv", options.csv},

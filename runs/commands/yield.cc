@@ -1,6 +1,8 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
+#include "solver/closed_form/first_yield.h"
 
 #include <iostream>
 #include <memory>

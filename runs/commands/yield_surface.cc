@@ -1,10 +1,14 @@
-#include "solver/yield_surface.h"
+#include "solver/closed_form/yield_surface.h"
 
+#include "database/files/csv.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
-#include "runs/documents.h"
-#include "solver/law_of.h"
+#include "runs/interface/case_input.h"
+#include "runs/interface/documents.h"
+#include "solver/laws/law.h"
+#include "solver/problem/quantity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -23,28 +27,29 @@ namespace dpcontact::commands
 
     std::vector<Setting> plane_settings()
     {
-      return {
-        {"plane",
-         Setting::Kind::choice,
-         "meridional: meridians of triaxial extension, shear and compression; deviatoric: the "
-         "section at one pressure [meridional]",
-         Dimension::number,
-         {"meridional", "deviatoric"}},
-        {"pressure",
-         Setting::Kind::quantity,
-         "meridional: largest pressure; deviatoric: the section's (compression positive; above the "
-         "apex') [sigma-c]",
-         Dimension::pressure},
-        {"points", Setting::Kind::count, "points of a meridian or of the section [121]"}};
+      return {choice_setting("plane",
+                             "meridional: meridians of triaxial extension, shear and compression; "
+                             "deviatoric: the section at one pressure [meridional]",
+                             {"meridional", "deviatoric"}),
+              quantity_setting("pressure",
+                               "meridional: largest pressure; deviatoric: the section's "
+                               "(compression positive; above the apex') [sigma-c]",
+                               Dimension::pressure),
+              count_setting("points", "points of a meridian or of the section [121]")};
     }
 
     /// Material alone: what a yield surface depends on, and what it does not.
     std::vector<Setting> material_settings()
     {
-      std::vector<Setting> settings;
-      for (const Setting &setting : scene_settings())
-        if (setting.name != "radius" && setting.name != "force-max")
-          settings.push_back(setting);
+      std::vector<Setting> settings = scene_settings();
+      for (const CaseParameter &parameter : case_parameters())
+        if (parameter.of_scene)
+          settings.erase(std::remove_if(settings.begin(),
+                                        settings.end(),
+                                        [&](const Setting &setting) {
+                                          return setting.name == parameter.option();
+                                        }),
+                         settings.end());
       return settings;
     }
 
@@ -101,15 +106,19 @@ namespace dpcontact::commands
       return points;
     }
 
-    constexpr const char *columns[] = {"lode_angle_deg",
-                                       "pressure_Pa",
-                                       "i1_Pa",
-                                       "sqrt_j2_Pa",
-                                       "pi_x_Pa",
-                                       "pi_y_Pa",
-                                       "sigma_1_Pa",
-                                       "sigma_2_Pa",
-                                       "sigma_3_Pa"};
+    const std::vector<std::string> &columns()
+    {
+      static const std::vector<std::string> names{"lode_angle_deg",
+                                                  "pressure_Pa",
+                                                  "i1_Pa",
+                                                  "sqrt_j2_Pa",
+                                                  "pi_x_Pa",
+                                                  "pi_y_Pa",
+                                                  "sigma_1_Pa",
+                                                  "sigma_2_Pa",
+                                                  "sigma_3_Pa"};
+      return names;
+    }
 
     std::vector<double> values(const YieldSurfacePoint &point)
     {
@@ -126,24 +135,17 @@ namespace dpcontact::commands
 
     void print_csv(const std::vector<YieldSurfacePoint> &points)
     {
-      std::ostringstream csv;
-      csv.precision(12);
-      const char *separator = "";
-      for (const char *column : columns)
-        {
-          csv << separator << column;
-          separator = ",";
-        }
+      CsvFormat format;
+      format.digits = 12;
+      CsvWriter csv(format);
+      csv.header(columns());
       for (const YieldSurfacePoint &point : points)
         {
-          separator = "\n";
           for (const double value : values(point))
-            {
-              csv << separator << value;
-              separator = ",";
-            }
+            csv.add(value);
+          csv.end_row();
         }
-      std::cout << csv.str() << '\n';
+      std::cout << csv.text();
     }
 
     ExitCode run(const Options &options)
@@ -187,7 +189,7 @@ namespace dpcontact::commands
           Json        row;
           const auto  numbers = values(point);
           std::size_t i       = 0;
-          for (const char *column : columns)
+          for (const std::string &column : columns())
             row[column] = numbers[i++];
           rows.push_back(row);
         }

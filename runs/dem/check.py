@@ -1,4 +1,4 @@
-"""Runs the examples of runs/dem in LAMMPS and checks them; runs/dem/run says how."""
+"""Runs the examples of runs/dem in LAMMPS and checks what they give; runs/dem/run says how it is called."""
 
 import argparse
 import json
@@ -16,11 +16,12 @@ ROCK = {"E": 10e9, "nu": 0.15, "phi": 25, "sigma": 15e6}
 DENSITY = 2600.0
 
 # Radii in m, velocity of approach in m/s.
-COLLISIONS = [(.05, .05, .001), (.05, .05, .02), (.05, .05, .2), (.05, .05, 1.), (.05, .02, .5), (.01, .05, 1.)]
+COLLISIONS = [(0.05, 0.05, 0.001), (0.05, 0.05, 0.02), (0.05, 0.05, 0.2), (0.05, 0.05, 1.),
+              (0.05, 0.02, 0.5), (0.01, 0.05, 1.)]
 STEPS = 2000                  # time steps from touch to separation
 REBOUND_TOLERANCE = 5e-3      # against the direct integration, of the rebound velocity
 RESTART_TOLERANCE = 1e-9      # rounding: the restart file holds every bit, sums may change their order
-BED_TOLERANCE = 1e-4          # likewise, grown by the bed's chaos, of the largest force
+BED_TOLERANCE = 1e-4          # rounding grown by the bed's chaos, over the largest force
 
 
 def say(text):
@@ -59,7 +60,7 @@ class Host:
 
 
 def direct(program, table, r1, r2, speed):
-    """The same collision integrated by dpcontact itself."""
+    """The same collision integrated by dpcontact itself: the document of `dpcontact collide --json`."""
     words = [program, "collide", "--E", ROCK["E"], "--nu", ROCK["nu"], "--phi", ROCK["phi"], "--sigma-c",
              ROCK["sigma"], "--radius", r1, "--radius-2", r2, "--density", DENSITY, "--velocity", speed,
              "--table", table, "--json"]
@@ -102,7 +103,7 @@ def curve(path):
 
 
 def work(depth, force):
-    """Put in and given back, by the trapezoidal rule."""
+    """The work put in and the work given back, by the trapezoidal rule."""
     parts = [(b - a) * (f + g) / 2 for a, b, f, g in zip(depth, depth[1:], force, force[1:])]
     return sum(part for part in parts if part > 0), -sum(part for part in parts if part < 0)
 
@@ -116,7 +117,7 @@ def bed(host, checks):
     largest = max(force[:bottom + 1])
 
     def met(depths, forces):  # where the bed first resists by a hundredth of the largest force
-        return next(d for d, f in zip(depths, forces) if f > .01 * largest)
+        return next(d for d, f in zip(depths, forces) if f > 0.01 * largest)
     first, second = met(depth[:bottom], force[:bottom]), met(depth[top:], force[top:])
     put_in, back = work(depth[:top + 1], force[:top + 1])
     say(f"  largest force {largest:.4g} N, work {put_in:.4g} J put in and {back:.4g} J given back; "

@@ -11,7 +11,7 @@ namespace dpcontact::dem
 {
   namespace
   {
-    constexpr int most_contacts = 128; // of one atom, which is what buffers are sized for
+    constexpr int most_contacts = 128; // of one atom: LAMMPS' buffers are made for so many
   }
 
   FixContactHistory::FixContactHistory(LAMMPS_NS::LAMMPS *lammps, int count, char **words)
@@ -132,7 +132,7 @@ namespace dpcontact::dem
 
   double FixContactHistory::memory_usage()
   {
-    double bytes = static_cast<double>(contacts.capacity() * sizeof(contacts[0]));
+    double bytes = static_cast<double>(contacts.capacity() * sizeof(std::vector<Contact>));
     for (const auto &of_atom : contacts)
       bytes += static_cast<double>(of_atom.capacity() * sizeof(Contact));
     return bytes;

@@ -8,9 +8,9 @@
 
 namespace dpcontact::dem
 {
-  /// LAMMPS fix `dpcontact/history`: the largest overlap of every contact, kept with both atoms of
-  /// it. It migrates with them between processes and is written to restart files. The pair style
-  /// adds it; an input need not mention it.
+  /// LAMMPS fix `dpcontact/history`: the largest overlap of every contact, kept with both of its
+  /// atoms. It moves with them between processes and is written to restart files. The pair style
+  /// adds the fix; an input need not mention it.
   class FixContactHistory : public LAMMPS_NS::Fix
   {
   public:
@@ -20,10 +20,10 @@ namespace dpcontact::dem
     FixContactHistory(LAMMPS_NS::LAMMPS *lammps, int count, char **words);
     ~FixContactHistory() override;
 
-    /// Of the contact of local atom i with the atom of this tag; 0 for a new one.
+    /// The largest overlap of local atom i and the atom of this tag; 0 for a new contact.
     double peak(int i, LAMMPS_NS::tagint partner) const;
     void   set_peak(int i, LAMMPS_NS::tagint partner, double peak);
-    /// The bodies have parted: should they meet again, they do so at other places.
+    /// To be called when the bodies have parted: should they meet again, it is at other places.
     void forget(int i, LAMMPS_NS::tagint partner);
 
     int    setmask() override { return 0; }
@@ -44,7 +44,8 @@ namespace dpcontact::dem
       LAMMPS_NS::tagint partner;
       double            peak;
     };
-    /// Number of contacts, then partner and peak of each.
+    /// An atom's contacts in a buffer: their number, then partner and peak of each. Both give the
+    /// number of doubles.
     int  pack(int i, double *buffer);
     int  unpack(int i, const double *buffer);
     auto find(int i, LAMMPS_NS::tagint partner);

@@ -1,5 +1,5 @@
-// LAMMPS, from its own library, with the pair style `dpcontact` besides its own styles. Takes the
-// options of the program lmp: -in FILE, -var NAME VALUE, -log, -screen …
+// LAMMPS, from its own library, with the pair style `dpcontact` beside its own styles. It takes the
+// options of the program lmp, among them -in FILE, -var NAME VALUE, -log and -screen.
 #include "runs/dem/pair_contact.h"
 
 #include <force.h>

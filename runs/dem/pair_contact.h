@@ -1,7 +1,7 @@
 #ifndef DPCONTACT_RUNS_DEM_PAIR_CONTACT_H
 #define DPCONTACT_RUNS_DEM_PAIR_CONTACT_H
 
-#include "database/contact_law.h"
+#include "database/contact_law/contact_law.h"
 #include "runs/dem/contact_history.h"
 
 #include <optional>
@@ -32,10 +32,10 @@ namespace dpcontact::dem
     void   compute(int eflag, int vflag) override;
 
   private:
-    std::optional<ContactTable> table; ///< unset: a row
-    std::optional<ContactLaw>     law;
-    FixContactHistory            *history        = nullptr;
-    double                        largest_radius = 0;
+    std::optional<ContactTable> table; ///< unset where the law is that of a row
+    std::optional<ContactLaw>   law;
+    FixContactHistory          *history        = nullptr;
+    double                      largest_radius = 0;
   };
 } // namespace dpcontact::dem
 

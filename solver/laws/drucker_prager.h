@@ -5,6 +5,11 @@
 
 #include <optional>
 
+namespace dpcontact
+{
+  struct Material;
+}
+
 namespace dpcontact::laws
 {
   /// Drucker–Prager cone √J₂ h(θ) + α I₁ ≤ k(ε̄ᵖ), tension positive.
@@ -19,13 +24,13 @@ namespace dpcontact::laws
   ///   ch. 8.3. With ξ = (1 − √3 α)/√3 c is the uniaxial compressive strength and, for associated
   ///   flow, ε̄ᵖ its work conjugate.
   ///
-  /// At the apex the flow is what the return needs; with ᾱ = 0 too, where the potential has no
-  /// volumetric flow and no other return exists. α = 0 is von Mises. Stresses in any one unit; the
-  /// tangent is in that unit too.
+  /// At the apex the flow is what the return to it needs. This holds with ᾱ = 0 too, where the
+  /// potential has no volumetric flow and no other return exists. α = 0 is von Mises. Stresses and
+  /// the tangent are in any one unit.
   struct DruckerPrager
   {
     double                shear_modulus;         ///< G
-    double                bulk_modulus;          ///< bulk modulus
+    double                bulk_modulus;          ///< volumetric stiffness dp/dε_v
     double                alpha;                 ///< α = η/3
     double                strength;              ///< k₀ = ξ c₀
     double                xi        = 1;         ///< ξ
@@ -33,15 +38,20 @@ namespace dpcontact::laws
     std::optional<double> flow_alpha{};          ///< ᾱ = η̄/3; unset: associated
     double                flow_stress_ratio = 1; ///< K
 
+    /// The law of a material in a solver's units, as law_of() says.
+    static DruckerPrager of(const Material &material, double stress_unit, double strain_unit);
+
     bool associated() const { return !flow_alpha || *flow_alpha == alpha; }
 
-    /// Backward-Euler return mapping. A pure function.
+    /// Backward-Euler return mapping, a pure function.
+    /// @param strain total, at the end of the step
     Response evaluate(const State &old_state, const StressTensor &strain) const;
 
     /// f(σ, ε̄ᵖ) = √J₂ h + α I₁ − k(ε̄ᵖ)
     double yield_function(const StressTensor &stress, double hardening_variable) const;
 
   private:
+    // Returns of a trial state that lies outside the cone.
     Response return_to_circular_cone(const State        &old_state,
                                      const StressTensor &strain,
                                      const StressTensor &trial_deviator,
@@ -60,9 +70,12 @@ namespace dpcontact::laws
                                   double              multiplier) const;
   };
 
-  /// α and k of the paper from friction angle and uniaxial compressive strength (model section 2):
-  /// α = 2 sinφ/(√3(3 − sinφ)), k = σc(1 − √3 α)/√3. φ in rad.
+  /// α = 2 sinφ/(√3(3 − sinφ)) of the cone through the Mohr–Coulomb pyramid's compression edges
+  /// (Wang et al. 2018, model section 2). φ in rad.
   double drucker_prager_alpha(double friction_angle);
+
+  /// k = σc(1 − √3 α)/√3 of the same cone, in the unit of the uniaxial compressive strength σc. φ
+  /// in rad.
   double drucker_prager_strength(double friction_angle, double compressive_strength);
 } // namespace dpcontact::laws
 

@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_LAWS_LAW_H
 
 #include "solver/laws/drucker_prager.h"
+#include "solver/laws/material.h"
 #include "solver/laws/mohr_coulomb.h"
 #include "solver/laws/von_mises.h"
 
@@ -9,16 +10,17 @@
 
 namespace dpcontact::laws
 {
-  /// Any of the laws. All are isotropic and linear elastic inside their yield surface.
+  /// One of the laws. All are isotropic and linear elastic inside their yield surface.
   using Law = std::variant<DruckerPrager, VonMises, MohrCoulomb>;
 
+  /// The law's return mapping, a pure function.
+  /// @param strain total, at the end of the step
   inline Response evaluate(const Law &law, const State &old_state, const StressTensor &strain)
   {
     return std::visit([&](const auto &l) { return l.evaluate(old_state, strain); }, law);
   }
 
-  /// f of the law over the strength that f measures against (k, σ_Y, C cosφ of the virgin
-  /// material).
+  /// f of the law divided by the strength of the virgin material in f: k, σ_Y or C cosφ.
   inline double
   yield_excess(const Law &law, const StressTensor &stress, const double hardening_variable)
   {
@@ -49,5 +51,26 @@ namespace dpcontact::laws
     return std::visit([](const auto &l) { return l.bulk_modulus; }, law);
   }
 } // namespace dpcontact::laws
+
+namespace dpcontact
+{
+  /// The law of a material in a solver's units.
+  /// @param stress_unit in Pa. @param strain_unit the strain that counts as 1; stresses over strains
+  /// are then in units of stress_unit/strain_unit.
+  inline laws::Law
+  law_of(const Material &material, const double stress_unit = 1, const double strain_unit = 1)
+  {
+    switch (material.criterion)
+      {
+        case Criterion::von_mises:
+          return laws::VonMises::of(material, stress_unit, strain_unit);
+        case Criterion::mohr_coulomb:
+          return laws::MohrCoulomb::of(material, stress_unit, strain_unit);
+        case Criterion::drucker_prager:
+          break;
+      }
+    return laws::DruckerPrager::of(material, stress_unit, strain_unit);
+  }
+} // namespace dpcontact
 
 #endif

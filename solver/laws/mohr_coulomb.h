@@ -6,6 +6,11 @@
 #include <cmath>
 #include <optional>
 
+namespace dpcontact
+{
+  struct Material;
+}
+
 namespace dpcontact::laws
 {
   /// Mohr–Coulomb pyramid with an optional Rankine tension cut-off, perfectly plastic. Tension
@@ -15,7 +20,7 @@ namespace dpcontact::laws
   /// de Souza Neto, Perić & Owen, Computational Methods for Plasticity (2008), ch. 8.2; returns in
   /// principal space as in Clausen, Damkilde & Andersen, Computers & Structures 85 (2007).
   /// φ = 0 is Tresca. A cut-off at or above the pyramid's apex, T₀ ≥ C cotφ, does nothing.
-  /// Stresses in any one unit; the tangent is in that unit too.
+  /// Stresses and the tangent are in any one unit.
   struct MohrCoulomb
   {
     double                shear_modulus;    ///< G
@@ -25,26 +30,33 @@ namespace dpcontact::laws
     std::optional<double> dilation_angle{}; ///< ψ, rad, 0 ≤ ψ ≤ φ; unset: φ, associated flow
     std::optional<double> tension_cutoff{}; ///< T₀ ≥ 0; unset: no cut-off
 
+    /// The law of a material in a solver's units, as law_of() says.
+    static MohrCoulomb of(const Material &material, double stress_unit, double strain_unit);
+
+    /// Whether ψ = φ, which makes the tangent symmetric.
     bool associated() const;
 
     /// C cosφ, the scale of f
     double strength() const;
 
-    /// Backward-Euler return mapping. A pure function. Where ψ = 0 < φ the pyramid's apex has no
+    /// Backward-Euler return mapping, a pure function. Where ψ = 0 < φ the pyramid's apex has no
     /// volumetric flow; trial states beyond it return to it all the same, by the limit ψ → 0.
+    /// @param strain total, at the end of the step
     Response evaluate(const State &old_state, const StressTensor &strain) const;
 
     /// max(f, fₜ); the hardening variable is without effect.
     double yield_function(const StressTensor &stress, double hardening_variable) const;
   };
 
-  /// C = (1 − sinφ)/(2 cosφ) σc = ½ tan(45° − φ/2) σc, which loses no digit towards 90°, and its
-  /// inverse. φ in rad.
+  /// C = (1 − sinφ)/(2 cosφ) σc, computed as ½ tan(45° − φ/2) σc, which loses no digit towards 90°.
+  /// φ in rad.
   inline double mohr_coulomb_cohesion(const double friction_angle,
                                       const double compressive_strength)
   {
     return compressive_strength / 2 * std::tan((M_PI / 2 - friction_angle) / 2);
   }
+
+  /// σc of the cohesion C, the inverse of mohr_coulomb_cohesion(). φ in rad.
   inline double mohr_coulomb_compressive_strength(const double friction_angle,
                                                   const double cohesion)
   {

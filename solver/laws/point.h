@@ -1,6 +1,8 @@
 #ifndef DPCONTACT_SOLVER_LAWS_POINT_H
 #define DPCONTACT_SOLVER_LAWS_POINT_H
 
+#include "meshing/enum_names.h"
+
 #include <deal.II/base/symmetric_tensor.h>
 
 namespace dpcontact::laws
@@ -24,37 +26,31 @@ namespace dpcontact::laws
     compression_corner, ///< compression edge and cut-off
     extension_corner    ///< extension edge and cut-off
   };
+} // namespace dpcontact::laws
 
-  inline const char *to_string(const Branch branch)
+namespace dpcontact
+{
+  template <>
+  struct EnumNames<laws::Branch>
   {
-    switch (branch)
-      {
-        case Branch::elastic:
-          return "elastic";
-        case Branch::regular:
-          return "regular";
-        case Branch::compression_edge:
-          return "compression-edge";
-        case Branch::extension_edge:
-          return "extension-edge";
-        case Branch::apex:
-          return "apex";
-        case Branch::cutoff:
-          return "cutoff";
-        case Branch::cutoff_edge:
-          return "cutoff-edge";
-        case Branch::cutoff_apex:
-          return "cutoff-apex";
-        case Branch::corner:
-          return "corner";
-        case Branch::compression_corner:
-          return "compression-corner";
-        case Branch::extension_corner:
-          return "extension-corner";
-      }
-    return "";
-  }
+    static constexpr const char            *what     = "branch";
+    static constexpr EnumName<laws::Branch> values[] = {
+      {laws::Branch::elastic, "elastic"},
+      {laws::Branch::regular, "regular"},
+      {laws::Branch::compression_edge, "compression-edge"},
+      {laws::Branch::extension_edge, "extension-edge"},
+      {laws::Branch::apex, "apex"},
+      {laws::Branch::cutoff, "cutoff"},
+      {laws::Branch::cutoff_edge, "cutoff-edge"},
+      {laws::Branch::cutoff_apex, "cutoff-apex"},
+      {laws::Branch::corner, "corner"},
+      {laws::Branch::compression_corner, "compression-corner"},
+      {laws::Branch::extension_corner, "extension-corner"}};
+  };
+} // namespace dpcontact
 
+namespace dpcontact::laws
+{
   /// What a material point remembers.
   struct State
   {
@@ -66,14 +62,14 @@ namespace dpcontact::laws
   struct Response
   {
     StressTensor stress;
-    Tangent      tangent; ///< consistent: dσₙ₊₁/dεₙ₊₁
-    State        state;
+    Tangent      tangent; ///< consistent with the return mapping: dσₙ₊₁/dεₙ₊₁
+    State        state;   ///< at the end of the step
     Branch       branch;
   };
 
-  /// D = (volumetric) I⊗I + (deviatoric) P, where P projects on deviators: elastic with K and 2G.
-  /// Written straight into the 6×6 storage of SymmetricTensor<4,3>, whose entries are plain
-  /// components in the order 11, 22, 33, 12, 13, 23.
+  /// Fills D = (volumetric) I⊗I + (deviatoric) P, where P projects on deviators. K and 2G make it
+  /// the elastic tangent. It is written straight into the 6×6 storage of SymmetricTensor<4,3>,
+  /// whose entries are plain components in the order 11, 22, 33, 12, 13, 23.
   inline void
   fill_isotropic_tangent(Tangent &tangent, const double volumetric, const double deviatoric)
   {
@@ -90,7 +86,7 @@ namespace dpcontact::laws
       }
   }
 
-  /// s + p I
+  /// The stress s + p I of a deviator and a pressure that is positive in tension.
   inline StressTensor with_pressure(const StressTensor &deviator, const double pressure)
   {
     StressTensor stress = deviator;
@@ -99,7 +95,7 @@ namespace dpcontact::laws
     return stress;
   }
 
-  /// s = 2G dev ε
+  /// The deviatoric stress s = 2G dev ε.
   inline StressTensor trial_deviator(const StressTensor &elastic_strain, const double shear_modulus)
   {
     StressTensor deviator = with_pressure(elastic_strain, -dealii::trace(elastic_strain) / 3);

@@ -2,7 +2,7 @@
 #include "meshing/gmsh_session.h"
 #include "meshing/mesh_kind.h"
 #include "meshing/zoned_mesh.h"
-#include "tests/meshing/support.h"
+#include "tests/support/plane_meshes.h"
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -85,9 +85,10 @@ namespace
   TEST(MeshKind, is_parsed_from_its_own_names_only)
   {
     for (const MeshKind kind : {MeshKind::fitted, MeshKind::published})
-      EXPECT_EQ(parse_mesh_kind(to_string(kind)), kind);
-    EXPECT_EQ(parse_mesh_kind("published"), MeshKind::published);
+      EXPECT_EQ(parse_enum<MeshKind>(to_string(kind)), kind);
+    EXPECT_EQ(parse_enum<MeshKind>("published"), MeshKind::published);
     for (const char *const name : {"", "Fitted", "fitted ", "wang"})
-      expect_refused<InputError>([&] { parse_mesh_kind(name); }, "'" + std::string(name) + "'");
+      expect_refused<InputError>([&] { parse_enum<MeshKind>(name); },
+                                 "'" + std::string(name) + "'");
   }
 } // namespace

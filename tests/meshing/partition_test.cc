@@ -1,7 +1,7 @@
 #include "meshing/errors.h"
 #include "meshing/partition.h"
 #include "meshing/wedge_mesh.h"
-#include "tests/meshing/support_space.h"
+#include "tests/support/space_meshes.h"
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_generator.h>

@@ -2,8 +2,8 @@
 #include "meshing/gmsh_session.h"
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
-#include "tests/meshing/support_space.h"
 #include "tests/support/floating_point_traps.h"
+#include "tests/support/space_meshes.h"
 
 #include <deal.II/base/numbers.h>
 
@@ -192,7 +192,7 @@ namespace
   {
     PublishedMesh published;
     published.outer_radius = 0.006;
-    published.level        = 1;
+    published.refinements  = 1;
     Body fine;
     make_published_mesh(published, pi / 2, fine);
     EXPECT_EQ(fine.n_active_cells(), 8 * 25u * (7 * 8 + 15 * 39));

@@ -2,8 +2,8 @@
 #include "meshing/gmsh_session.h"
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
-#include "tests/meshing/support.h"
 #include "tests/support/floating_point_traps.h"
+#include "tests/support/plane_meshes.h"
 
 #include <cmath>
 #include <limits>
@@ -131,7 +131,7 @@ namespace
     make_published_mesh(published, once);
     make_published_mesh(published, twice);
     EXPECT_EQ(fingerprint(once), fingerprint(twice));
-    published.level = 1;
+    published.refinements = 1;
     make_published_mesh(published, fine);
     EXPECT_EQ(fine.n_active_cells(), 4 * once.n_active_cells());
   }

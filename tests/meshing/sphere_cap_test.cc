@@ -2,8 +2,8 @@
 #include "meshing/quality.h"
 #include "meshing/sphere_cap.h"
 #include "meshing/zoned_mesh.h"
-#include "tests/meshing/support.h"
 #include "tests/support/floating_point_traps.h"
+#include "tests/support/plane_meshes.h"
 
 #include <cmath>
 #include <sstream>
@@ -103,7 +103,7 @@ namespace
 
   INSTANTIATE_TEST_SUITE_P(CurvedLittleAndMuch, SphereCap, ::testing::Values(0.005, 0.02, 0.1));
 
-  TEST(sphere_cap, a_point_of_the_surface_keeps_its_distance_from_the_contact)
+  TEST(SphereCapMesh, a_point_of_the_surface_keeps_its_distance_from_the_contact)
   {
     const auto p = to_sphere({0.7, 0}, 2.);
     EXPECT_NEAR(p.norm(), 0.7, 1e-15);
@@ -111,7 +111,7 @@ namespace
     EXPECT_EQ(to_sphere({0, 0}, 2.).norm(), 0.);
   }
 
-  TEST(sphere_cap, a_far_boundary_beyond_the_radius_is_refused_by_name)
+  TEST(SphereCapMesh, a_far_boundary_beyond_the_radius_is_refused_by_name)
   {
     Zones zones;
     zones.resolution    = 8;

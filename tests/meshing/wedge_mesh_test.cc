@@ -3,8 +3,8 @@
 #include "meshing/quality.h"
 #include "meshing/section_map.h"
 #include "meshing/wedge_mesh.h"
-#include "tests/meshing/support_space.h"
 #include "tests/support/floating_point_traps.h"
+#include "tests/support/space_meshes.h"
 
 #include <deal.II/base/numbers.h>
 
@@ -280,7 +280,7 @@ namespace
     zones.resolution = 4;
     Body coarse, fine;
     make_wedge_mesh(zones, pi / 2, coarse);
-    zones.level = 1;
+    zones.refinements = 1;
     make_wedge_mesh(zones, pi / 2, fine);
     EXPECT_EQ(fine.n_active_cells(), 8 * coarse.n_active_cells());
     EXPECT_NEAR(assess(fine, 1).elements_across_contact, 8, 8 * placement);

@@ -1,8 +1,8 @@
 #include "meshing/errors.h"
 #include "meshing/quality.h"
 #include "meshing/zoned_mesh.h"
-#include "tests/meshing/support.h"
 #include "tests/support/floating_point_traps.h"
+#include "tests/support/plane_meshes.h"
 
 #include <deal.II/base/numbers.h>
 
@@ -41,7 +41,7 @@ namespace
 
   double elements_across(const Zones &zones)
   {
-    return zones.resolution * std::pow(2, zones.level);
+    return zones.resolution * std::pow(2, zones.refinements);
   }
 
   class ZonedMesh : public ::testing::TestWithParam<std::tuple<unsigned int, unsigned int>>
@@ -49,7 +49,7 @@ namespace
   protected:
     ZonedMesh()
     {
-      std::tie(zones.resolution, zones.level) = GetParam();
+      std::tie(zones.resolution, zones.refinements) = GetParam();
       make_zoned_mesh(zones, mesh);
     }
     Zones zones;
@@ -85,9 +85,10 @@ namespace
   {
     const double size = 1 / elements_across(zones);
     // The zone ends at the row of medium cells that is nearest to its depth.
-    const double row   = 2 * size * std::pow(2, zones.level);
-    const double depths[] = {zones.plastic_zone, zones.medium_depth, zones.fine_depth, zones.surface_depth};
-    const double depth    = row * std::ceil(depths[halvings(zones) - 1] / row - 0.5);
+    const double row      = 2 * size * std::pow(2, zones.refinements);
+    const double depths[] = {
+      zones.plastic_zone, zones.medium_depth, zones.fine_depth, zones.surface_depth};
+    const double depth = row * std::ceil(depths[halvings(zones) - 1] / row - 0.5);
     EXPECT_GE(depth, row);
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell->center()[0] < block_side(zones) && -cell->center()[1] < depth)
@@ -181,7 +182,7 @@ namespace
     Zones zones;
     Mesh  coarse, fine;
     make_zoned_mesh(zones, coarse);
-    zones.level = 1;
+    zones.refinements = 1;
     make_zoned_mesh(zones, fine);
     EXPECT_EQ(fine.n_active_cells(), 4 * coarse.n_active_cells());
     EXPECT_NEAR(total_area(fine), total_area(coarse), 1e-12 * total_area(coarse));
@@ -218,7 +219,9 @@ namespace
       {"resolution",
        [](Zones &z, double v) { z.resolution = static_cast<unsigned int>(v); },
        {0, 1, 1025}},
-      {"level", [](Zones &z, double v) { z.level = static_cast<unsigned int>(v); }, {7, 100}},
+      {"refinements",
+       [](Zones &z, double v) { z.refinements = static_cast<unsigned int>(v); },
+       {7, 100}},
       {"contact_zone", [](Zones &z, double v) { z.contact_zone = v; }, {1, 0, -1, 10, nan, inf}},
       {"plastic_zone", [](Zones &z, double v) { z.plastic_zone = v; }, {1.1, -1, nan, inf, -inf}},
       {"fine_depth", [](Zones &z, double v) { z.fine_depth = v; }, {0, -1, 0.7, nan, inf}},
@@ -243,7 +246,7 @@ namespace
   {
     Zones zones;
     zones.resolution   = 1024;
-    zones.level        = 6;
+    zones.refinements  = 6;
     zones.contact_zone = zones.plastic_zone = zones.medium_depth = zones.fine_depth = 1.5;
     zones.domain_radius                                                             = 3;
     zones.growth                                                                    = 3;

@@ -2,8 +2,8 @@
 #define DPCONTACT_TESTS_SUPPORT_CONTACT_PROBLEM_H
 
 #include "meshing/zoned_mesh.h"
-#include "solver/contact_system.h"
-#include "solver/load_path.h"
+#include "solver/path/load_path.h"
+#include "solver/system/contact_system.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace dpcontact::tests
   struct ContactProblem
   {
     dealii::Triangulation<2> mesh;
-    Discretization<2>        space;
+    Discretisation<2>        space;
     ContactSystem<2>         system;
 
     /// @param strength uniaxial compressive strength σc over E a/R.
@@ -42,7 +42,7 @@ namespace dpcontact::tests
                    const double       penalty_stiffness = 1e5,
                    const Element      element           = Element::serendipity_reduced)
       : space(zoned(mesh, resolution), BoussinesqField<2>(1., nu), element)
-      , system(space, law, 1., penalty_stiffness)
+      , system(space, {law}, 1., penalty_stiffness)
     {}
 
     /// Hertz's force for a contact radius of 1: (4/3) E* a³/R* with the constants of one sphere.

@@ -2,16 +2,18 @@
 #define DPCONTACT_TESTS_SUPPORT_ROCKS_H
 
 #include "fitting/curve_fit.h"
-#include "solver/solve.h"
+#include "solver/path/solution.h"
+#include "solver/path/solve.h"
 
 #include <cmath>
 
 namespace dpcontact::tests
 {
   /// A material from the units people speak: GPa, degrees, MPa.
-  inline Material rock(const double E_GPa, const double nu, const double phi_deg, const double sigma_c_MPa)
+  inline Material
+  rock(const double E_GPa, const double nu, const double phi_deg, const double sigma_c_MPa)
   {
-    return {1e9 * E_GPa, nu, phi_deg * M_PI / 180, 1e6 * sigma_c_MPa};
+    return {1e9 * E_GPa, nu, Angle(phi_deg), 1e6 * sigma_c_MPa};
   }
 
   /// A solved scene with its fit and its approaches in units of δ_y.

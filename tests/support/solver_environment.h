@@ -1,7 +1,7 @@
 #ifndef DPCONTACT_TESTS_SUPPORT_SOLVER_ENVIRONMENT_H
 #define DPCONTACT_TESTS_SUPPORT_SOLVER_ENVIRONMENT_H
 
-#include "solver/environment.h"
+#include "solver/parallel/environment.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,10 @@
 // boundary, and without the remote compliance. Strains stay small in both: rotations and finite
 // strains, which are of order a/R as well, are in neither.
 
-#include "solver/contact_model.h"
-#include "solver/remote_compliance.h"
-#include "solver/step_extrapolation.h"
+#include "solver/closed_form/first_yield.h"
+#include "solver/path/remote_compliance.h"
+#include "solver/path/runs.h"
+#include "solver/path/step_extrapolation.h"
 #include "tests/support/rocks.h"
 #include "tests/support/solver_environment.h"
 
@@ -36,8 +37,8 @@ namespace
             const unsigned int   steps)
   {
     HalfSpaceModel model(material, scene, options, mesh_radius);
-    const Curve    coarse = model.run(steps / 2, {});
-    return extrapolate_steps(coarse, model.run(steps, {}));
+    const Curve    coarse = run_cycle(model, steps / 2);
+    return extrapolate_steps(coarse, run_cycle(model, steps));
   }
 
   /// @param mesh_radius of the scene of `material`, R = 0.1 m and 100 N. By similarity, σc λ and F λ³

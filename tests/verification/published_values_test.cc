@@ -1,6 +1,7 @@
-// The paper's two materials against its own finite elements and Hertz, and strongly plastic rows against
-// independent computations.
+// The paper's two materials against its own finite elements and Hertz, and strongly plastic rows
+// against an unpublished computation of others and against GetFEM's.
 
+#include "solver/closed_form/first_yield.h"
 #include "tests/support/rocks.h"
 #include "tests/support/solver_environment.h"
 
@@ -18,14 +19,18 @@ namespace
 
   const Scene paper_scene{0.1, 100};
 
-  void expect_relative(const double value, const double reference, const double tolerance, const char *name)
+  void expect_relative(const double value,
+                       const double reference,
+                       const double tolerance,
+                       const char  *name)
   {
-    EXPECT_NEAR(value / reference, 1, tolerance) << name << ": " << value << " against " << reference;
+    EXPECT_NEAR(value / reference, 1, tolerance)
+      << name << ": " << value << " against " << reference;
   }
 } // namespace
 
-// The paper's finite elements, taken back from tables 2 and 4 (eq 19 and its errors), which are printed
-// with two to four digits from a coarse mesh: 1.5 %.
+// The paper's finite elements, taken back from tables 2 and 4 (eq 19 and its errors), which are
+// printed with two to four digits from a coarse mesh: 1.5 %.
 TEST(PublishedValues, Type1AgreesWithThePapersFiniteElements)
 {
   const tests::Solved type1(rock(10, 0.15, 25, 15), paper_scene);
@@ -33,11 +38,12 @@ TEST(PublishedValues, Type1AgreesWithThePapersFiniteElements)
   expect_relative(type1.b(), 1.4710, 0.015, "b");
   expect_relative(type1.fit.published.m, 0.4253, 0.015, "m");
   expect_relative(type1.n(), 1.4701, 0.015, "n");
-  // An independent finite-element computation, stated to about .5 %.
-  expect_relative(type1.fit.published.a, 0.3655, 0.005, "a, independent");
-  expect_relative(type1.b(), 1.4735, 0.005, "b, independent");
-  expect_relative(type1.fit.published.m, 0.4275, 0.005, "m, independent");
-  expect_relative(type1.n(), 1.4665, 0.005, "n, independent");
+  // Unpublished finite elements, handed over with the model and stated to about 0.5 %. No command
+  // gives them again; GetFEM's rows below have one.
+  expect_relative(type1.fit.published.a, 0.3655, 0.005, "a, unpublished");
+  expect_relative(type1.b(), 1.4735, 0.005, "b, unpublished");
+  expect_relative(type1.fit.published.m, 0.4275, 0.005, "m, unpublished");
+  expect_relative(type1.n(), 1.4665, 0.005, "n, unpublished");
 }
 
 TEST(PublishedValues, Type2AgreesWithThePapersFiniteElementsAndHertz)
@@ -69,8 +75,8 @@ TEST(StronglyPlasticRows, Lambda392AgreesWithAnIndependentComputation)
 
 TEST(StronglyPlasticRows, Lambda500Phi40AgreesWithAnIndependentComputation)
 {
-  const auto material = rock(10, 0.1, 40, 5);
-  const Scene scene{0.1, 500 * first_yield(material, 0.1).force};
+  const auto          material = rock(10, 0.1, 40, 5);
+  const Scene         scene{0.1, 500 * first_yield(material, 0.1).force};
   const tests::Solved row(material, scene);
   expect_relative(row.peak_approach(), 65.4, 0.02, "δ_max/δ_y");
   expect_relative(row.residual_approach(), 9.4, 0.05, "δ_res/δ_y");
@@ -91,9 +97,9 @@ TEST(StronglyPlasticRows, MostPlasticRowAgreesWithAnIndependentComputation)
   expect_relative(row.n(), 1.243, 0.02, "n");
 }
 
-// tests/verification/getfem_drucker_prager.py: another program, its numbers stored with their errors.
-// Ours may be wrong by the accuracy that the defaults promise: 0.3 % of the peak force, which a
-// slope dF/dδ ≥ F/δ turns into at most 0.3 % of the approach.
+// tests/verification/getfem_drucker_prager.py: another program, its numbers stored with their
+// errors. Ours may be wrong by the accuracy that the defaults promise: 0.3 % of the peak force,
+// which a slope dF/dδ ≥ F/δ turns into at most 0.3 % of the approach.
 TEST(StronglyPlasticRows, GetfemAgreesWithinTheTwoErrors)
 {
   std::ifstream stream(DPCONTACT_SOURCE_DIR "/tests/verification/getfem_results.json");
@@ -110,8 +116,8 @@ TEST(StronglyPlasticRows, GetfemAgreesWithinTheTwoErrors)
                                    m.at("phi"),
                                    m.at("sigma_c").get<double>() / 1e6),
                               {m.at("R"), m.at("F_max")});
-      for (const auto &[quantity, ours] :
-           {std::pair{"delta_max", row.peak_approach()}, std::pair{"delta_res", row.residual_approach()}})
+      for (const auto &[quantity, ours] : {std::pair{"delta_max", row.peak_approach()},
+                                           std::pair{"delta_res", row.residual_approach()}})
         {
           const auto  &theirs = stored.at("estimate").at(quantity);
           const double error  = theirs.at("error").get<double>() + 0.003 * row.peak_approach();
@@ -123,5 +129,5 @@ TEST(StronglyPlasticRows, GetfemAgreesWithinTheTwoErrors)
         }
       ++rows;
     }
-  EXPECT_GE(rows, 1u);
+  EXPECT_EQ(rows, 3u);
 }

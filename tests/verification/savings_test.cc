@@ -1,4 +1,4 @@
-#include "fitting/uncertainty.h"
+#include "database/rows/uncertainty.h"
 #include "tests/support/floating_point_traps.h"
 #include "tests/support/rocks.h"
 #include "tests/support/solver_environment.h"
@@ -32,8 +32,8 @@ namespace
         SolverOptions options;
         switch_off(options);
         const Solved without(material, scene, options);
-        const auto   stated_without = estimate_errors(without.fit, without.solution, material, scene);
-        const auto   values_without = coefficients(without.fit);
+        const auto stated_without = estimate_errors(without.fit, without.solution, material, scene);
+        const auto values_without = coefficients(without.fit);
         for (unsigned int c = 0; c < 4; ++c)
           EXPECT_NEAR(
             values_without[c], values[c], stated[c].numerical() + stated_without[c].numerical())
@@ -42,7 +42,7 @@ namespace
       }
   }
 
-  TEST(savings, drucker_prager_lambda_49_each_switched_off_stays_within_the_stated_errors)
+  TEST(Savings, drucker_prager_lambda_49_each_switched_off_stays_within_the_stated_errors)
   {
     expect_within_stated_errors(
       tests::rock(10, .1, 20, 10),
@@ -56,7 +56,7 @@ namespace
        {"surface halvings", [](SolverOptions &o) { o.surface_halvings = 1; }}});
   }
 
-  TEST(savings, elastic_scene_without_the_closed_form_stays_within_the_stated_errors)
+  TEST(Savings, elastic_scene_without_the_closed_form_stays_within_the_stated_errors)
   {
     expect_within_stated_errors(tests::rock(10, .25, 35, 50),
                                 {{"closed form", [](SolverOptions &o) { o.closed_form = false; }}});

@@ -1,6 +1,7 @@
-// Similarity of the small-strain half-space: ν, φ and Λ = F_max/F_y are all that the dimensionless curve
-// depends on; E, σc, R and F_max are not.
+// Similarity of the small-strain half-space: ν, φ and Λ = F_max/F_y are all that the dimensionless
+// curve depends on; E, σc, R and F_max are not.
 
+#include "solver/closed_form/first_yield.h"
 #include "tests/support/rocks.h"
 #include "tests/support/solver_environment.h"
 
@@ -14,7 +15,7 @@ namespace
 {
   const auto *const solver_environment = tests::SolverEnvironment::install();
 
-  const Material soft = rock(10, 0.2, 30, 6), stiff = rock(35, 0.2, 30, 21);
+  const Material   soft = rock(10, 0.2, 30, 6), stiff = rock(35, 0.2, 30, 21);
   constexpr double load_level = 60;
 
   Scene scene_of(const Material &material, const double radius)
@@ -48,7 +49,8 @@ TEST(Similarity, UnlikeMaterialsOnUnlikeMeshesAndStepsAgreeWithinTheirErrors)
   stretched_coarser            = stretched;
   stretched_coarser.resolution = 14;
 
-  const Solved one(soft, scene_of(soft, 0.1), fitted), other(stiff, scene_of(stiff, 0.003), stretched);
+  const Solved one(soft, scene_of(soft, 0.1), fitted),
+    other(stiff, scene_of(stiff, 0.003), stretched);
   EXPECT_NE(one.solution.cost.steps, other.solution.cost.steps);
   const auto a = numbers(one), b = numbers(other);
   const auto a_coarse = numbers(Solved(soft, scene_of(soft, 0.1), coarser));
@@ -59,7 +61,8 @@ TEST(Similarity, UnlikeMaterialsOnUnlikeMeshesAndStepsAgreeWithinTheirErrors)
       // leaves, which moves a coefficient by no more than twice that share at this load level.
       const double error = std::abs(a[i] - a_coarse[i]) + std::abs(b[i] - b_coarse[i]) +
                            2 * (one.solution.step_error + other.solution.step_error) * a[i];
-      std::cout << "quantity " << i << ": " << a[i] << ' ' << b[i] << " measured error " << error << '\n';
+      std::cout << "quantity " << i << ": " << a[i] << ' ' << b[i] << " measured error " << error
+                << '\n';
       EXPECT_NEAR(a[i], b[i], error) << "quantity " << i;
       EXPECT_LT(error, 0.02 * a[i]) << "an error this large proves nothing, quantity " << i;
     }
@@ -80,6 +83,7 @@ TEST(Similarity, AnotherLoadLevelDoesNotAgree)
 {
   Scene heavier = scene_of(soft, 0.1);
   heavier.force_max *= 1.5;
-  const auto first = numbers(Solved(soft, scene_of(soft, 0.1))), second = numbers(Solved(soft, heavier));
+  const auto first  = numbers(Solved(soft, scene_of(soft, 0.1))),
+             second = numbers(Solved(soft, heavier));
   EXPECT_GT(std::abs(second[2] / first[2] - 1), 0.01); // m
 }

@@ -1,0 +1,197 @@
+#include "database/tables/lookup.h"
+
+#include "database/rows/checks.h"
+#include "database/rows/exports.h"
+#include "database/rows/uncertainty.h"
+#include "database/tables/material_table.h"
+#include "database/tables/universal_checks.h"
+#include "fitting/conventions.h"
+#include "meshing/errors.h"
+
+#include <cmath>
+#include <optional>
+
+namespace dpcontact
+{
+  namespace
+  {
+    constexpr unsigned int master_points = 200;
+
+    double power_law_approach(const double coefficient, const double exponent, const double level)
+    {
+      return std::pow(level / coefficient, 1 / exponent);
+    }
+
+    /// Outside the data none is known.
+    void forget_uncertainty(LookupResult &result)
+    {
+      result.uncertainty                   = {};
+      result.published_uncertainty         = {};
+      result.parts                         = {};
+      result.peak_approach.uncertainty     = Coefficients::unset;
+      result.residual_approach.uncertainty = Coefficients::unset;
+    }
+
+    /// Uncertainties of a, b, m, n in the other convention, whose coefficients are `converted`.
+    Coefficients converted_uncertainties(const Coefficients &converted,
+                                         const Coefficients &values,
+                                         const Coefficients &uncertainty)
+    {
+      return {converted_uncertainty(converted.a, uncertainty.a / values.a, uncertainty.b),
+              uncertainty.b,
+              converted_uncertainty(converted.m, uncertainty.m / values.m, uncertainty.n),
+              uncertainty.n};
+    }
+
+    /// Approaches of the power laws, and the first order of their uncertainty.
+    void enter_approaches(LookupResult &result)
+    {
+      const Coefficients &c = result.coefficients, &u = result.uncertainty;
+      const double        level = result.load_level, scale = result.yield.approach;
+      const double        peak = power_law_approach(c.a, c.b, level),
+                   recovered   = power_law_approach(c.m, c.n, level);
+      const auto spread =
+        [](const double value, const double k, const double p, const double uk, const double up) {
+          return std::hypot(value / p * uk / k, value * std::log(value) / p * up);
+        };
+      result.peak_approach     = {peak * scale, spread(peak, c.a, c.b, u.a, u.b) * scale};
+      result.residual_eq18     = (peak - recovered) * scale;
+      result.residual_approach = {result.residual_eq18,
+                                  std::hypot(result.peak_approach.uncertainty,
+                                             spread(recovered, c.m, c.n, u.m, u.n) * scale)};
+    }
+  } // namespace
+
+  struct LookupTable::Content
+  {
+    LookupMethod                    method;
+    std::optional<UniversalTable>   universal;
+    MaterialTable                   materials;
+    std::unique_ptr<MaterialMethod> estimator;
+
+    void by_similarity(const Case &input, Outside outside, LookupResult &result) const;
+    void by_material(const Case &input, Outside outside, LookupResult &result) const;
+  };
+
+  void LookupTable::Content::by_similarity(const Case   &input,
+                                           const Outside outside,
+                                           LookupResult &result) const
+  {
+    const UniversalFamily family(
+      *universal, input.material.poisson_ratio, input.material.friction_angle.degrees(), outside);
+    const double         level = result.load_level, scale = result.yield.approach;
+    const UniversalValue value = family.at(level, outside);
+
+    // the contact's edge at most as far out as Hertz's relation a² = R* δ says
+    const double kappa =
+      result.yield.contact_radius / input.scene.radius * std::sqrt(value.approach);
+    const double excess = value.approach / std::pow(level, 2. / 3) - 1;
+    const auto   finite = finite_radius_errors(excess, kappa);
+    result.coefficients = Coefficients::from(value.coefficients);
+    for (std::size_t c = 0; c < coefficient_names.size(); ++c)
+      {
+        const double finite_radius    = std::abs(value.coefficients[c]) * finite[c];
+        result.uncertainty[c]         = value.interpolation[c] + value.numerical[c] + finite_radius;
+        result.parts.interpolation[c] = value.interpolation[c];
+        result.parts.numerical[c]     = value.numerical[c];
+        result.parts.finite_radius[c] = finite_radius;
+        result.parts.power_law_misfit[c] = value.misfit[c];
+      }
+    const Coefficients &law = result.coefficients;
+    result.published        = {
+             published_coefficient(law.a, law.b), law.b, published_coefficient(law.m, law.n), law.n};
+    result.published_uncertainty =
+      converted_uncertainties(result.published, law, result.uncertainty);
+    result.peak_approach = {value.approach * scale, value.approach * value.approach_error * scale};
+    result.residual_approach = {value.residual_approach * scale, value.residual_error * scale};
+    result.residual_eq18     = value.residual_eq18 * scale;
+    result.residual_of_law   = value.residual_of_law * scale;
+    result.law_exponent      = value.law_exponent;
+    for (unsigned int i = 0; i <= master_points; ++i)
+      {
+        CurvePoint   point;
+        const double here = level * std::pow(double(i) / master_points, 1.5);
+        point.force       = here * result.yield.force;
+        point.approach    = family.approach(here, outside) * scale;
+        result.loading.push_back(point);
+      }
+  }
+
+  void LookupTable::Content::by_material(const Case   &input,
+                                         const Outside outside,
+                                         LookupResult &result) const
+  {
+    const MaterialPoint point = MaterialPoint::of(input.material);
+    materials.check_inside(point, outside);
+    check_range("radius", input.scene.radius, materials.radius, materials.radius, outside);
+    check_range(
+      "force-max", input.scene.force_max, materials.force_max, materials.force_max, outside);
+    const MaterialEstimate estimate = estimator->at(point);
+    result.published                = Coefficients::from(estimate.value);
+    result.published_uncertainty    = Coefficients::from(estimate.uncertainty);
+    const Coefficients &published   = result.published;
+    result.coefficients             = {consistent_coefficient(published.a, published.b),
+                                       published.b,
+                                       consistent_coefficient(published.m, published.n),
+                                       published.n};
+    result.uncertainty =
+      converted_uncertainties(result.coefficients, published, result.published_uncertainty);
+    enter_approaches(result);
+    result.residual_of_law = result.residual_eq18;
+    result.law_exponent    = published.n;
+  }
+
+  LookupTable::LookupTable(const LookupMethod method, const std::filesystem::path &database)
+    : content(std::make_unique<Content>())
+  {
+    content->method = method;
+    if (method == LookupMethod::similarity)
+      {
+        content->universal = UniversalTable::read(database);
+        refuse_errors(check(*content->universal), database);
+        return;
+      }
+    const Database rows = read_database(database);
+    refuse_errors(check(rows), database);
+    content->materials = MaterialTable::from_rows(rows);
+    content->estimator =
+      method == LookupMethod::kriging             ? make_kriging(content->materials)
+      : method == LookupMethod::natural_neighbour ? make_natural_neighbour(content->materials)
+      : method == LookupMethod::regression        ? make_regression(regress(content->materials))
+                                                  : make_regression(table_2());
+  }
+  LookupTable::~LookupTable()                       = default;
+  LookupTable::LookupTable(LookupTable &&) noexcept = default;
+
+  LookupResult LookupTable::at(const Case &input, const Outside outside) const
+  {
+    if (!is_tabulated_kind(input.material))
+      throw InputError(std::string("lookup: the tables hold ") + tabulated_kind +
+                       " only; solve computes the others");
+    if (outside == Outside::refuse)
+      return estimate(input, outside);
+    try
+      {
+        return estimate(input, Outside::refuse);
+      }
+    catch (const InputError &)
+      {
+        LookupResult result = estimate(input, outside);
+        forget_uncertainty(result);
+        return result;
+      }
+  }
+
+  LookupResult LookupTable::estimate(const Case &input, const Outside outside) const
+  {
+    LookupResult result;
+    result.method     = content->method;
+    result.yield      = first_yield(input.material, input.scene.radius);
+    result.load_level = input.scene.force_max / result.yield.force;
+    if (content->method == LookupMethod::similarity)
+      content->by_similarity(input, outside, result);
+    else
+      content->by_material(input, outside, result);
+    return result;
+  }
+} // namespace dpcontact

@@ -1,0 +1,3 @@
+#include "runs/commands/program.h"
+
+int main(const int argc, const char *const *argv) { return dpcontact::run_program(argc, argv); }

@@ -1,3 +1,0 @@
-#include "runs/program.h"
-
-int main(const int argc, const char *const *argv) { return dpcontact::run_program(argc, argv); }

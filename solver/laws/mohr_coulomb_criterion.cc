@@ -1,0 +1,85 @@
+#include "solver/laws/criterion.h"
+#include "solver/laws/mohr_coulomb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dpcontact
+{
+  namespace
+  {
+    MaterialParameter cohesion_parameter()
+    {
+      MaterialParameter p;
+      p.name       = "cohesion";
+      p.symbol     = "C";
+      p.title      = "cohesion C";
+      p.help       = "cohesion C, instead of sigma-c = 2 C cos(phi)/(1 - sin(phi))";
+      p.dimension  = Dimension::pressure;
+      p.instead_of = "sigma_c";
+      p.get        = [](const Material &m) {
+        return laws::mohr_coulomb_cohesion(m.friction_angle.radians(), m.compressive_strength);
+      };
+      p.set = [](Material &m, const double value) {
+        m.compressive_strength =
+          laws::mohr_coulomb_compressive_strength(m.friction_angle.radians(), value);
+      };
+      return p;
+    }
+
+    MaterialParameter tension_cutoff_parameter()
+    {
+      MaterialParameter p;
+      p.name         = "tension_cutoff";
+      p.symbol       = "T0";
+      p.title        = "tension cut-off T0";
+      p.help         = "largest tensile stress";
+      p.description  = "largest tensile stress of Mohr-Coulomb; unset: no cut-off";
+      p.dimension    = Dimension::pressure;
+      p.default_text = "none";
+      p.get          = [](const Material &m) { return m.tension_cutoff.value_or(std::nan("")); };
+      p.set          = [](Material &m, const double value) {
+        m.tension_cutoff.reset();
+        if (!std::isnan(value))
+          m.tension_cutoff = value;
+      };
+      return p;
+    }
+  } // namespace
+
+  CriterionDefinition mohr_coulomb_criterion()
+  {
+    CriterionDefinition definition{};
+    definition.criterion  = Criterion::mohr_coulomb;
+    definition.parameters = {
+      dilation_parameter(), cohesion_parameter(), tension_cutoff_parameter()};
+    definition.check          = check_dilation;
+    definition.shear_strength = [](const Material &m) {
+      const double phi = m.friction_angle.radians();
+      const double strength =
+        std::cos(phi) * laws::mohr_coulomb_cohesion(phi, m.compressive_strength);
+      return m.tension_cutoff ? std::min(strength, *m.tension_cutoff) : strength;
+    };
+    definition.onset_is_known = [](const Material &) { return false; };
+    return definition;
+  }
+
+  namespace laws
+  {
+    MohrCoulomb
+    MohrCoulomb::of(const Material &material, const double stress_unit, const double strain_unit)
+    {
+      const double phi     = material.friction_angle.radians();
+      const double sigma_c = material.compressive_strength / stress_unit;
+      MohrCoulomb  law{material.shear_modulus(stress_unit, strain_unit),
+                      material.bulk_modulus(stress_unit, strain_unit),
+                      phi,
+                      mohr_coulomb_cohesion(phi, sigma_c)};
+      if (material.dilation_angle)
+        law.dilation_angle = material.dilation_angle->radians();
+      if (material.tension_cutoff)
+        law.tension_cutoff = *material.tension_cutoff / stress_unit;
+      return law;
+    }
+  } // namespace laws
+} // namespace dpcontact

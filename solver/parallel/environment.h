@@ -1,0 +1,54 @@
+#ifndef DPCONTACT_SOLVER_PARALLEL_ENVIRONMENT_H
+#define DPCONTACT_SOLVER_PARALLEL_ENVIRONMENT_H
+
+#include "solver/parallel/communicator.h"
+
+namespace dpcontact
+{
+  /// Keeps the solver's libraries to one thread a process. Keep one
+  /// alive while solving. Construct it after any fork, never before,
+  /// and in the thread that solves.
+  class Environment
+  {
+  public:
+    Environment();
+    /// Ends MPI and PETSc where they were started.
+    ~Environment();
+    Environment(const Environment &)            = delete;
+    Environment &operator=(const Environment &) = delete;
+
+    /// All processes of this run: those of mpirun, or this one alone.
+    Communicator world() const;
+  };
+
+  /// Starts MPI and PETSc once a process, where they are needed; Environment ends them.
+  void start_parallel_libraries();
+
+  /// How many processes an MPI launcher (mpirun, srun) started together with this one, as the
+  /// environment that it set says; 1 without a launcher. Starts nothing.
+  unsigned int launched_ranks();
+
+  /// MPI from its start to its end; once a process, all ranks together. Nothing else starts MPI,
+  /// and without a launcher (launched_ranks() == 1) nobody needs it. No fork may follow.
+  class MpiSession
+  {
+  public:
+    /// Starts MPI so that any thread may call it.
+    /// @throws InputError where the MPI library refuses that, or finds another number of ranks than
+    /// the launcher started (a launcher of another MPI).
+    MpiSession();
+    /// Waits for the other ranks.
+    ~MpiSession();
+    MpiSession(const MpiSession &)            = delete;
+    MpiSession &operator=(const MpiSession &) = delete;
+
+    unsigned int rank() const { return own_rank; }
+    unsigned int size() const { return ranks; }
+
+  private:
+    unsigned int own_rank = 0;
+    unsigned int ranks    = 1;
+  };
+} // namespace dpcontact
+
+#endif

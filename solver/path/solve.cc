@@ -1,0 +1,234 @@
+#include "solver/path/solve.h"
+
+#include "meshing/errors.h"
+#include "solver/laws/criterion.h"
+#include "solver/output/recovery.h"
+#include "solver/path/contact_model.h"
+#include "solver/path/elastic_solution.h"
+#include "solver/path/pilot.h"
+#include "solver/path/runs.h"
+#include "solver/path/step_extrapolation.h"
+#include "solver/path/step_refinement.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace dpcontact
+{
+  namespace
+  {
+    constexpr unsigned int first_loading_steps = 16;
+    constexpr unsigned int most_loading_steps  = 1024;
+
+    /// What solve_contact() is asked for.
+    struct Task
+    {
+      const Material      &material;
+      const Scene         &scene;
+      const SolverOptions &options;
+      const std::string   &fields_directory;
+      const StepObserver  &observer;
+      const Communicator  &processes;
+      const Checkpoint    &checkpoint;
+    };
+
+    /// The first run's steps where the finest has `finest`: halved at least once, and on down to
+    /// first_loading_steps while they stay whole.
+    unsigned int coarsest(unsigned int finest)
+    {
+      do
+        finest /= 2;
+      while (finest % 2 == 0 && finest / 2 >= first_loading_steps);
+      return finest;
+    }
+
+    StepRule step_rule(const SolverOptions &options)
+    {
+      StepRule rule;
+      rule.extrapolation = options.extrapolation;
+      if (options.loading_steps > 0)
+        {
+          rule.first_steps   = coarsest(options.loading_steps);
+          rule.last_steps    = options.loading_steps;
+          rule.at_last_steps = AtLastSteps::accept;
+        }
+      else
+        {
+          rule.first_steps = first_loading_steps;
+          rule.last_steps  = most_loading_steps;
+          rule.tolerance   = options.step_tolerance;
+        }
+      return rule;
+    }
+
+    /// What the peak tells beyond its point on the curve.
+    template <int dim>
+    void enter_peak(const ContactModel<dim> &model, const bool points, Solution &solution)
+    {
+      solution.peak_profile = pressure_profile(model.system(), model.units());
+      if constexpr (dim == 2)
+        {
+          const double length   = model.units().length;
+          solution.peak_axis    = axis_profile(model.system(), model.units());
+          solution.plastic_zone = plastic_zone(model.system(), length);
+          solution.flow_zone    = plastic_zone(model.system(), length, ZoneRule::flowing);
+          if (points)
+            solution.peak_points = point_states(model.system(), model.units());
+        }
+      else
+        {
+          solution.axisymmetry_deviation = axisymmetry_deviation(model.system());
+          (void)points;
+        }
+    }
+
+    /// At the peak what it tells is entered, and there and after release the fields are written
+    /// where they are asked for.
+    template <int dim>
+    CycleEvents events_of(const ContactModel<dim> &model, const Task &task, Solution &solution)
+    {
+      const auto write = [&model, &task](const char *name) {
+        if (!task.fields_directory.empty())
+          write_fields(model.system(), model.units(), task.fields_directory + "/" + name);
+      };
+      return {[&model, &task, &solution, write] {
+                enter_peak(model, !task.fields_directory.empty(), solution);
+                write("peak");
+              },
+              [write] { write("released"); }};
+    }
+
+    /// Enters the curve, and what is known of the error of its load step.
+    void enter_curve(RefinedSteps<Curve> &&refined, Solution &solution)
+    {
+      solution.curve              = std::move(refined.points);
+      solution.step_error         = refined.error;
+      solution.coarser_steps      = std::move(refined.coarser);
+      solution.coarser_share      = refined.coarser_share;
+      solution.used.loading_steps = refined.steps;
+      if (refined.smooth)
+        solution.warnings.emplace_back(smooth_extrapolation_warning);
+    }
+
+    /// Runs with halved steps until the curve is as accurate as asked for.
+    template <int dim>
+    void solve_on(const Task &task, Solution &solution)
+    {
+      ContactModel<dim> model(
+        task.material, task.scene, solution.used, solution.mesh_radius, task.processes);
+      solution.mesh_quality    = model.quality();
+      const CycleEvents events = events_of(model, task, solution);
+      const StepRule    rule   = step_rule(task.options);
+      KeptRuns          kept{task.checkpoint, {}};
+
+      StepRefinement<Curve> refinement(curve_comparison(), rule);
+      const auto            run = [&](const unsigned int steps) {
+        const bool  first = steps == rule.first_steps; // it is never the finest
+        const Curve curve =
+          run_cycle(model, steps, task.observer, first ? CycleEvents() : events, &kept);
+        add_cost(solution.cost, model);
+        return StepRefinement<Curve>::Run{curve, model.counters().cut_backs > 0};
+      };
+      try
+        {
+          enter_curve(refinement.refine(run), solution);
+        }
+      catch (const StepsTooLarge &)
+        {
+          throw SolverError("with loading-steps " + std::to_string(rule.last_steps) +
+                            " the extrapolated curve is not monotone: ask for more steps");
+        }
+      solution.apex_points            = model.counters().apex_points;
+      solution.checks                 = model.checks();
+      solution.cost.linear_solves     = model.system().linear_solves();
+      solution.cost.linear_iterations = model.system().linear_iterations();
+    }
+
+    void check_task(const Task &task)
+    {
+      task.material.check();
+      task.scene.check();
+      task.options.check();
+      if (!task.processes.alone() && !in_space(task.options.geometry))
+        throw InputError(
+          "geometry = axisymmetric is solved by one process: leave mpirun out, or ask for "
+          "a geometry in space");
+      if (task.scene.second && task.options.surface == Surface::sphere)
+        throw InputError(
+          "surface = sphere is not modelled for two bodies that differ: take parabola");
+    }
+
+    void make_directory(const std::string &directory)
+    {
+      if (directory.empty())
+        return;
+      std::error_code error;
+      std::filesystem::create_directories(directory, error);
+      if (!std::filesystem::is_directory(directory))
+        throw FileError("cannot create the directory '" + directory +
+                        "': check the path and its permissions");
+    }
+
+    /// Whether Hertz's closed form is the solution.
+    bool stays_elastic(const Task &task, const FirstYield &yield)
+    {
+      return task.options.closed_form && task.options.surface == Surface::parabola &&
+             task.fields_directory.empty() && onset_is_known(task.material) &&
+             task.scene.force_max <= yield.onset_force();
+    }
+
+    Solution solve_elastic(const Task &task)
+    {
+      Solution solution = elastic_solution(task.material, task.scene, elastic_steps);
+      solution.used     = task.options;
+      return solution;
+    }
+
+    Solution solve_plastic(const Task &task, const FirstYield &yield)
+    {
+      const bool space = in_space(task.options.geometry);
+      Solution   solution;
+      solution.yield = yield;
+      const Pilot pilot =
+        run_pilots(task.material, task.scene, yield, solution.cost, task.observer);
+      solution.mesh_radius = task.processes.broadcast(pilot.contact_radius);
+      solution.used        = task.options;
+      if (!solution.used.surface_halvings)
+        solution.used.surface_halvings =
+          task.processes.broadcast(pilot.approach) > strongly_plastic && !space ? 1 : 0;
+      if (space)
+        solve_on<3>(task, solution);
+      else
+        solve_on<2>(task, solution);
+      solution.cost.processes = task.processes.size();
+      return solution;
+    }
+  } // namespace
+
+  Solution solve_contact(const Material      &material,
+                         const Scene         &scene,
+                         const SolverOptions &options,
+                         const std::string   &fields_directory,
+                         const StepObserver  &observer,
+                         const Communicator  &processes,
+                         const Checkpoint    &checkpoint)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const Task task{material, scene, options, fields_directory, observer, processes, checkpoint};
+    check_task(task);
+    make_directory(fields_directory);
+    const FirstYield yield    = first_yield(material, scene);
+    const bool       elastic  = stays_elastic(task, yield);
+    Solution         solution = elastic ? solve_elastic(task) : solve_plastic(task, yield);
+    add_warnings(scene, solution);
+    solution.cost.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    solution.cost.peak_memory_bytes =
+      elastic ? peak_memory()
+              : static_cast<std::uint64_t>(processes.sum(static_cast<double>(peak_memory())));
+    return solution;
+  }
+} // namespace dpcontact
