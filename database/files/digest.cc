@@ -5,11 +5,13 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <unistd.h>
 #include <vector>
 
 namespace dpcontact
@@ -89,38 +91,117 @@ namespace dpcontact
     return file.string() + ".sha256";
   }
 
-  void check_digest(const std::filesystem::path &file)
+  namespace
   {
-    const std::string           remedy = "; restore both files, or make them again";
-    const std::string           actual = sha256_of_file(file);
-    const std::filesystem::path digest = digest_path_of(file);
-    if (!std::filesystem::exists(digest))
-      throw CorruptData("the digest " + digest.string() +
-                        " is missing, so the database cannot be trusted" + remedy);
-    const std::string stored = read_file(digest).substr(0, 65);
-    if (stored.size() != 65 || stored.back() != ' ' ||
-        stored.find_first_not_of("0123456789abcdef") != 64)
-      throw CorruptData("the digest " + digest.string() + " is damaged" + remedy);
-    if (stored.compare(0, 64, actual) != 0)
-      throw CorruptData(file.string() + " is truncated or altered: its SHA-256 is " + actual +
-                        ", its digest file says " + stored.substr(0, 64) + remedy);
-  }
+    constexpr std::size_t digits     = 64; ///< of a SHA-256
+    constexpr std::size_t most_lines = 2;
+    const char *const     remedy     = "; restore both files, or make them again";
+
+    std::string digest_line(const std::string &sum, const std::filesystem::path &file)
+    {
+      return sum + "  " + file.filename().string() + "\n";
+    }
+
+    /// The digests of a digest file: one, or two while the file is being replaced.
+    /// @throws CorruptData.
+    std::vector<std::string> digests_in(const std::string           &text,
+                                        const std::filesystem::path &digest)
+    {
+      std::vector<std::string> found;
+      for (std::size_t at = 0; at < text.size() && found.size() < most_lines;)
+        {
+          const std::string line = text.substr(at, text.find('\n', at) - at);
+          if (line.size() < digits + 1 || line[digits] != ' ' ||
+              line.find_first_not_of("0123456789abcdef") != digits)
+            break;
+          found.push_back(line.substr(0, digits));
+          at += line.size() + 1;
+        }
+      if (found.empty())
+        throw CorruptData("the digest " + digest.string() + " is damaged" + remedy);
+      return found;
+    }
+
+    /// @throws CorruptData as check_digest().
+    void compare_with_digest(const std::filesystem::path &file, const std::string &actual)
+    {
+      const std::filesystem::path digest = digest_path_of(file);
+      if (!std::filesystem::exists(digest))
+        throw CorruptData("the digest " + digest.string() +
+                          " is missing, so the database cannot be trusted" + remedy);
+      const std::vector<std::string> stored = digests_in(read_file(digest), digest);
+      if (std::find(stored.begin(), stored.end(), actual) == stored.end())
+        throw CorruptData(file.string() + " is truncated or altered: its SHA-256 is " + actual +
+                          ", its digest file says " + stored.front() + remedy);
+    }
+
+    /// The line of the file that is about to be replaced, if its digest agrees; else nothing.
+    std::string present_line(const std::filesystem::path &file)
+    {
+      try
+        {
+          const std::string sum = sha256_of_file(file);
+          compare_with_digest(file, sum);
+          return digest_line(sum, file);
+        }
+      catch (const Error &)
+        {
+          return {};
+        }
+    }
+  } // namespace
+
+  void check_digest(const std::filesystem::path &file) { read_with_digest(file); }
 
   void write_with_digest(const std::filesystem::path &file, const std::string &content)
   {
-    TemporaryFile data(file);
-    TemporaryFile digest(digest_path_of(file));
+    const std::filesystem::path digest = digest_path_of(file);
+    TemporaryFile               data(file);
     data.write(content);
-    data.sync();
-    digest.write(sha256(content) + "  " + file.filename().string() + "\n");
-    digest.sync();
-    data.publish();
-    digest.publish();
+
+    const DirectoryLock lock(parent_of(file));
+    const bool          replaces = std::filesystem::exists(digest);
+    const std::string   present  = present_line(file);
+    const std::string   line     = digest_line(sha256(content), file);
+    TemporaryFile       both(digest), only(digest), former(digest);
+    both.write(line + (present == line ? "" : present));
+    only.write(line);
+    former.write(replaces ? read_file(digest) : "");
+    both.publish();
+    try
+      {
+        data.publish();
+      }
+    catch (const FileError &)
+      {
+        if (data.is_published())
+          throw; // both digests hold
+        if (replaces)
+          former.publish();
+        else
+          ::unlink(digest.c_str());
+        throw;
+      }
+    only.publish();
   }
 
   std::string read_with_digest(const std::filesystem::path &file)
   {
-    check_digest(file);
-    return read_file(file);
+    // Somebody may replace the file between the reading of it and of its digest.
+    constexpr unsigned int most_tries = 3;
+    for (unsigned int i = 1; i < most_tries; ++i)
+      {
+        std::string content = read_file(file);
+        try
+          {
+            compare_with_digest(file, sha256(content));
+            return content;
+          }
+        catch (const Error &)
+          {}
+      }
+    std::string content = read_file(file);
+    compare_with_digest(file, sha256(content));
+    return content;
   }
 } // namespace dpcontact

@@ -16,15 +16,20 @@ namespace dpcontact
   /// sha256sum.
   std::filesystem::path digest_path_of(const std::filesystem::path &file);
 
-  /// Writes a file and its digest. Each is complete on disk before it replaces an older one.
-  /// @throws FileError where one of them cannot be written.
+  /// Writes a file and its digest, in one step for whoever reads them with read_with_digest():
+  /// first the digest file lists the digests of the new content and of the present one, then the
+  /// file is renamed into place, then the digest of the new content stands alone. A process that
+  /// ends at any moment leaves a pair that agrees. Each file is complete on disk, and was read
+  /// back, before it replaces an older one.
+  /// @throws FileError where one of them cannot be written; an earlier pair then stays as it was.
   void write_with_digest(const std::filesystem::path &file, const std::string &content);
 
   /// The content of a file that agrees with its digest.
   /// @throws FileError if it cannot be read, CorruptData as check_digest() does.
   std::string read_with_digest(const std::filesystem::path &file);
 
-  /// @throws CorruptData where the digest of the file is missing, damaged or that of other content.
+  /// @throws CorruptData where the digest of the file is missing, damaged or that of other content,
+  /// FileError if it cannot be read.
   void check_digest(const std::filesystem::path &file);
 } // namespace dpcontact
 

@@ -6,12 +6,15 @@
 
 namespace dpcontact
 {
-  /// A file beside @p target under a name that no other process uses, `.<name>.<pid>.<count>.tmp`.
-  /// It is removed with the object unless it was published, so a failure leaves nothing
-  /// behind.
+  /// A new file beside @p target, `.<name>.<16 random hexadecimal digits>.tmp`, which no link and no
+  /// other process's file can stand for. It is removed with the object unless it was published, so
+  /// a failure leaves nothing behind. While the object lives it holds a lock (flock) on the file,
+  /// by which remove_leftovers() knows that somebody is at work.
   class TemporaryFile
   {
   public:
+    /// Creates the file. @throws FileError with the system's reason, or where the target is a
+    /// directory or a device.
     explicit TemporaryFile(const std::filesystem::path &target);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile &)            = delete;
@@ -19,22 +22,40 @@ namespace dpcontact
 
     const std::filesystem::path &path() const { return temporary; }
 
-    /// Creates the file and fills it. @throws FileError.
+    /// Fills it, waits until the content is on disk, and reads it back.
+    /// @throws FileError where one of these fails or other bytes come back.
     void write(const std::string &content) const;
 
-    /// Waits until the content is on disk. @throws FileError.
+    /// Waits until what others wrote to path() is on disk. @throws FileError.
     void sync() const;
 
     /// Renames it to the target, atomically, and syncs the directory. @throws FileError.
     void publish();
+    bool is_published() const { return temporary.empty(); }
 
-    /// Removes what killed processes left in @p directory for targets whose names begin with
-    /// @p prefix. Call it only while nobody else can be writing those.
-    static void remove_leftovers(const std::filesystem::path &directory, const std::string &prefix);
+    /// Removes what killed processes left of the target, or of any target in @p directory. What a
+    /// living process holds stays, and so does all of it on a file system without locks.
+    static void remove_leftovers(const std::filesystem::path &target);
+    static void remove_all_leftovers(const std::filesystem::path &directory);
 
   private:
     std::filesystem::path target;
     std::filesystem::path temporary;
+    int                   descriptor = -1;
+  };
+
+  /// Keeps others that ask for it from the files of a directory while it lives. It does nothing
+  /// where the directory or its file system cannot be locked.
+  class DirectoryLock
+  {
+  public:
+    explicit DirectoryLock(const std::filesystem::path &directory);
+    ~DirectoryLock();
+    DirectoryLock(const DirectoryLock &)            = delete;
+    DirectoryLock &operator=(const DirectoryLock &) = delete;
+
+  private:
+    int descriptor;
   };
 
   /// The directory that lists a file's name; "." for a bare name.

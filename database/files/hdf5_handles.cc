@@ -1,6 +1,9 @@
 #include "database/files/hdf5_handles.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
 #include <type_traits>
 
 namespace dpcontact::hdf5
@@ -123,21 +126,125 @@ namespace dpcontact::hdf5
     require(close(std::exchange(id, -1)) >= 0, what);
   }
 
-  Handle create_file(const std::string &path)
+  namespace
   {
-    const Handle access   = property_list(H5P_FILE_ACCESS);
-    const Handle creation = property_list(H5P_FILE_CREATE);
-    require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0 &&
-              H5Pset_obj_track_times(creation, false) >= 0 &&
-              H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >=
-                0,
-            "prepare the file");
-    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), &H5Fclose, "create the file"};
+    /// Of a file in memory alone.
+    Handle access_to_memory()
+    {
+      constexpr std::size_t increment = 1 << 20; // bytes by which the memory grows
+      Handle                access    = property_list(H5P_FILE_ACCESS);
+      require(H5Pset_fapl_core(access, increment, /*backing_store=*/false) >= 0,
+              "keep the file in memory");
+      return access;
+    }
+
+    /// HDF5 takes files in memory that have the same name for the same file.
+    std::string name_in_memory()
+    {
+      static std::atomic<unsigned long> count{0};
+      return "database in memory " + std::to_string(count++);
+    }
+  } // namespace
+
+  /// The library's memory of a file. The whole of it is seen only when the library gives it back:
+  /// H5Fget_file_image() changes a flag in the superblock without its checksum.
+  struct NewFile::Memory
+  {
+    std::size_t size = 0; ///< of the file before it is closed, which may make it smaller
+    std::string bytes;
+
+    /// The end of the file as the superblock has it (version 2 or 3 of it, section II.A of the
+    /// format's specification), eight bytes of which the first counts least.
+    static std::size_t end_of_file(const unsigned char *image)
+    {
+      constexpr std::size_t at   = 28;
+      std::size_t           size = 0;
+      for (std::size_t i = 8; i-- > 0;)
+        size = 256 * size + image[at + i];
+      return size;
+    }
+
+    static void *allocate(const std::size_t size, H5FD_file_image_op_t, void *)
+    {
+      return std::malloc(size);
+    }
+
+    static void *
+    copy(void *target, const void *source, const std::size_t size, H5FD_file_image_op_t, void *)
+    {
+      return std::memcpy(target, source, size);
+    }
+
+    static void *resize(void *old, const std::size_t size, H5FD_file_image_op_t, void *)
+    {
+      return std::realloc(old, size);
+    }
+
+    static herr_t release(void *image, const H5FD_file_image_op_t when, void *owner)
+    {
+      auto &memory = *static_cast<Memory *>(owner);
+      if (when == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
+        memory.bytes.assign(
+          static_cast<const char *>(image),
+          memory.size == 0
+            ? 0
+            : std::min(memory.size, end_of_file(static_cast<const unsigned char *>(image))));
+      std::free(image);
+      return 0;
+    }
+
+    static void  *share(void *owner) { return owner; }
+    static herr_t leave(void *) { return 0; }
+  };
+
+  namespace
+  {
+    Handle create_in_memory(H5FD_file_image_callbacks_t callbacks)
+    {
+      const Handle access   = access_to_memory();
+      const Handle creation = property_list(H5P_FILE_CREATE);
+      require(
+        H5Pset_file_image_callbacks(access, &callbacks) >= 0 &&
+          H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0 &&
+          H5Pset_obj_track_times(creation, false) >= 0 &&
+          H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0,
+        "prepare the file");
+      return {H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, creation, access),
+              &H5Fclose,
+              "create the file"};
+    }
+  } // namespace
+
+  NewFile::NewFile()
+    : memory(std::make_unique<Memory>())
+    , file(create_in_memory({&Memory::allocate,
+                             &Memory::copy,
+                             &Memory::resize,
+                             &Memory::release,
+                             &Memory::share,
+                             &Memory::leave,
+                             memory.get()}))
+  {}
+
+  NewFile::~NewFile() = default;
+
+  std::string NewFile::close()
+  {
+    require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "finish the file");
+    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+    require(size > 0, "finish the file");
+    memory->size = static_cast<std::size_t>(size);
+    file.close_now("finish the file");
+    return std::move(memory->bytes);
   }
 
-  Handle open_file(const std::string &path)
+  Handle open_image(const std::string &bytes)
   {
-    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose, "open the file"};
+    const Handle access = access_to_memory();
+    std::string  copy   = bytes; // HDF5 takes a pointer to what may be written
+    require(!copy.empty() && H5Pset_file_image(access, copy.data(), copy.size()) >= 0,
+            "open the file");
+    return {H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access), &H5Fclose, "open the file"};
   }
 
   Handle create_group(const hid_t parent, const std::string &name)
@@ -162,21 +269,23 @@ namespace dpcontact::hdf5
     const std::string what = "write the attribute " + name;
     const Handle      type = text_type(H5T_VARIABLE); // h5py gives these as str
     const Handle      space(H5Screate(H5S_SCALAR), &H5Sclose, what);
-    const Handle      attribute(
+    Handle            attribute(
       H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose, what);
     const char *const characters = text.c_str();
     require(H5Awrite(attribute, type, &characters) >= 0, what);
+    attribute.close_now(what);
   }
 
   void write_attribute(const hid_t object, const std::string &name, const int value)
   {
     const std::string what = "write the attribute " + name;
     const Handle      space(H5Screate(H5S_SCALAR), &H5Sclose, what);
-    const Handle      attribute(
+    Handle            attribute(
       H5Acreate2(object, name.c_str(), H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT),
       &H5Aclose,
       what);
     require(H5Awrite(attribute, H5T_NATIVE_INT, &value) >= 0, what);
+    attribute.close_now(what);
   }
 
   int read_integer_attribute(const hid_t object, const std::string &name)

@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,7 +51,7 @@ namespace dpcontact::hdf5
 
     operator hid_t() const { return id; }
 
-    /// Closes now, so that a failure is noticed (a file's last bytes are written here).
+    /// Closes now, so that a failure is noticed. Whatever writes ends like this.
     void close_now(const std::string &what);
 
   private:
@@ -60,9 +61,31 @@ namespace dpcontact::hdf5
 
   // All of the following throw Failure, saying what could not be done.
 
-  /// Makes a new file in the 1.10 format, with checksums of metadata and without time stamps.
-  Handle create_file(const std::string &path);
-  Handle open_file(const std::string &path);
+  // Files are images in memory: HDF5 opens, locks and writes nothing on disk, so that no fault of a
+  // file system is its own.
+
+  /// A new file in the 1.10 format, with checksums of metadata and without time stamps.
+  class NewFile
+  {
+  public:
+    NewFile();
+    ~NewFile();
+    NewFile(const NewFile &)            = delete;
+    NewFile &operator=(const NewFile &) = delete;
+
+    operator hid_t() const { return file; }
+
+    /// Closes the file, once all its groups and datasets are closed. @return its bytes.
+    std::string close();
+
+  private:
+    struct Memory;
+    std::unique_ptr<Memory> memory;
+    Handle                  file;
+  };
+
+  /// Opens the bytes of a file for reading.
+  Handle open_image(const std::string &bytes);
 
   /// Makes a group that lists its entries and attributes in the order of their creation.
   Handle create_group(hid_t parent, const std::string &name);

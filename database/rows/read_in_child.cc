@@ -23,11 +23,9 @@ namespace dpcontact
       setrlimit(static_cast<__rlimit_resource>(resource), &bounds);
     }
 
-    void limit_resources(const std::filesystem::path &file)
+    void limit_resources(const std::size_t size)
     {
-      std::error_code               missing;
-      const auto                    size  = std::filesystem::file_size(file, missing);
-      [[maybe_unused]] const rlim_t bytes = missing ? 0 : size;
+      [[maybe_unused]] const rlim_t bytes = size;
       limit(RLIMIT_CPU, least_seconds + bytes / bytes_a_second);
 #ifndef __SANITIZE_ADDRESS__ // which reserves terabytes
       limit(RLIMIT_AS, least_bytes + times_its_size * bytes);
@@ -35,12 +33,12 @@ namespace dpcontact
       limit(RLIMIT_CORE, 0);
     }
 
-    ChildReading read(const std::filesystem::path &file)
+    ChildReading read(const std::filesystem::path &file, const std::string &bytes)
     {
       try
         {
           return {ExitCode::success,
-                  std::to_string(read_store_unchecked(file).records.size()) + " rows"};
+                  std::to_string(read_store_unchecked(file, bytes).records.size()) + " rows"};
         }
       catch (const Error &error)
         {
@@ -53,14 +51,21 @@ namespace dpcontact
         }
     }
 
-    [[noreturn]] void child(const std::filesystem::path &file, const int out)
+    [[noreturn]] void
+    child(const std::filesystem::path &file, const std::string &bytes, const int out)
     {
       for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})
         std::signal(signal, SIG_DFL);
-      limit_resources(file);
-      const ChildReading result  = read(file);
+      limit_resources(bytes.size());
+      const ChildReading result  = read(file, bytes);
       const ssize_t      written = ::write(out, result.text.data(), result.text.size());
       ::_exit(written < 0 ? static_cast<int>(ExitCode::internal) : static_cast<int>(result.code));
+    }
+
+    /// Signals that a process does not bring upon itself.
+    bool is_from_outside(const int signal)
+    {
+      return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
     }
 
     std::string read_all(const int in)
@@ -76,7 +81,7 @@ namespace dpcontact
     }
   } // namespace
 
-  ChildReading read_in_child(const std::filesystem::path &file)
+  ChildReading read_in_child(const std::filesystem::path &file, const std::string &bytes)
   {
     int ends[2];
     if (::pipe(ends) != 0)
@@ -85,7 +90,7 @@ namespace dpcontact
     if (process == 0)
       {
         ::close(ends[0]);
-        child(file, ends[1]);
+        child(file, bytes, ends[1]);
       }
     const int failure = errno;
     ::close(ends[1]);
@@ -99,6 +104,9 @@ namespace dpcontact
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR)
       {}
+    if (WIFSIGNALED(status) && is_from_outside(WTERMSIG(status)))
+      throw FileError("cannot read " + file.string() + ": the process that reads it was ended (" +
+                      strsignal(WTERMSIG(status)) + ")");
     if (WIFSIGNALED(status))
       return {ExitCode::corrupt_data,
               file.string() + " cannot be read: HDF5 ended with '" + strsignal(WTERMSIG(status)) +

@@ -16,8 +16,10 @@ namespace dpcontact
     std::string text; ///< rows, or the reason
   };
 
-  /// @throws FileError if no process can be started.
-  ChildReading read_in_child(const std::filesystem::path &file);
+  /// @param file its name, for messages.
+  /// @param bytes its content.
+  /// @throws FileError if no process can be started, or somebody ended it.
+  ChildReading read_in_child(const std::filesystem::path &file, const std::string &bytes);
 } // namespace dpcontact
 
 #endif

@@ -116,10 +116,15 @@ namespace dpcontact
 
     const json given  = versioned(settings);
     auto       stored = read_settings(directory);
+    if (!stored)
+      {
+        const Lock held = lock(); // somebody else may be about to write them
+        stored          = read_settings(directory);
+        if (!stored)
+          write_file(directory / "settings.json", seal(given));
+      }
     if (stored)
       compare(directory, *stored, given);
-    else
-      write_file(directory / "settings.json", seal(given));
     settings_text = (stored ? *stored : given).dump();
   }
 
@@ -149,12 +154,15 @@ namespace dpcontact
   std::optional<Record> RowStore::find(const Case &input) const
   {
     const fs::path file = path_of(input);
-    if (!fs::exists(file))
-      return std::nullopt;
+    return fs::exists(file) ? read(file) : std::nullopt;
+  }
+
+  std::optional<Record> RowStore::read(const fs::path &file) const
+  {
     try
       {
-        const Record record = record_from_json(unseal(read_file(file)));
-        if (key_json(record.input) != key_json(input))
+        Record record = record_from_json(unseal(read_file(file)));
+        if (path_of(record.input) != file)
           throw CorruptData("it holds the row of other inputs");
         return record;
       }
@@ -172,6 +180,23 @@ namespace dpcontact
   void RowStore::write(const Record &record) const
   {
     write_file(path_of(record.input), seal(to_json(record)));
+  }
+
+  std::vector<Record> RowStore::all() const
+  {
+    std::vector<Record> rows;
+    for (const std::string &name : names())
+      if (auto row = read(directory / name))
+        rows.push_back(std::move(*row));
+    return rows;
+  }
+
+  void RowStore::remove(const Case &input) const
+  {
+    std::error_code error;
+    fs::remove(path_of(input), error);
+    if (error)
+      throw FileError("cannot remove " + path_of(input).string() + ": " + error.message());
   }
 
   std::vector<std::string> RowStore::names() const
@@ -214,16 +239,22 @@ namespace dpcontact
     region.l_whence     = SEEK_SET;
     if (::fcntl(descriptor, F_SETLK, &region) != 0)
       {
-        const std::string reason = std::strerror(errno);
-        region.l_type            = F_WRLCK;
+        const int error = errno;
+        region.l_type   = F_WRLCK;
         if (::fcntl(descriptor, F_GETLK, &region) == 0 && region.l_type != F_UNLCK)
           throw FileError("process " + std::to_string(region.l_pid) + " is working on " +
                           directory.string() + "; wait until it has ended");
-        throw FileError("cannot lock " + file.string() + ": " + reason);
+        if (error != ENOSYS && error != ENOTSUP && error != ENOLCK)
+          throw FileError("cannot lock " + file.string() + ": " + std::strerror(error));
+        if (report)
+          report("the file system of " + directory.string() +
+                 " has no locks: see to it that no other process works on it");
       }
 
-    TemporaryFile::remove_leftovers(directory, "");
-    TemporaryFile::remove_leftovers(parent_of(directory), directory.stem().string() + ".");
+    const fs::path database = fs::path(directory).replace_extension();
+    TemporaryFile::remove_all_leftovers(directory);
+    TemporaryFile::remove_leftovers(database);
+    TemporaryFile::remove_leftovers(digest_path_of(database));
     return held;
   }
 } // namespace dpcontact

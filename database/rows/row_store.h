@@ -23,7 +23,8 @@ namespace dpcontact
   public:
     using Reporter = std::function<void(const std::string &)>;
 
-    /// Opens the rows of @p database, creating the directory if needed (not its parent).
+    /// Opens the rows of @p database, creating the directory if needed (not its parent). Settings
+    /// that are not stored yet are written under the lock.
     /// @param settings an object with everything the rows depend on besides their inputs.
     /// @param report is told about damaged rows that were set aside.
     /// @throws SettingsMismatch printing both values of every entry that differs, FileError where
@@ -47,8 +48,15 @@ namespace dpcontact
     /// renamed to `<key>.json.damaged[.k]`, reported, and counts as not done.
     std::optional<Record> find(const Case &input) const;
 
-    /// Stores a row durably, replacing the one of the same case.
+    /// All finished rows, whatever their inputs, in the order of names(); damaged ones as in
+    /// find().
+    std::vector<Record> all() const;
+
+    /// Stores a row durably, replacing the one of the same case. @throws FileError.
     void write(const Record &record) const;
+
+    /// Forgets the row of a case. @throws FileError.
+    void remove(const Case &input) const;
 
     /// The file that holds the row of this case.
     std::filesystem::path path_of(const Case &input) const;
@@ -75,10 +83,13 @@ namespace dpcontact
 
     /// Claims the rows for one sweep and removes the temporary files that killed ones left among
     /// the rows and beside the database.
-    /// @throws FileError naming the process that holds the lock.
+    /// @throws FileError naming the process that holds the lock. A file system without locks is
+    /// reported, and nothing keeps others away.
     Lock lock() const;
 
   private:
+    std::optional<Record> read(const std::filesystem::path &file) const;
+
     std::filesystem::path directory;
     std::string           settings_text;
     Reporter              report;

@@ -1,12 +1,13 @@
 #include "database/rows/store.h"
 
 #include "database/files/digest.h"
-#include "database/files/files.h"
 #include "database/files/hdf5_handles.h"
 #include "database/rows/read_in_child.h"
 #include "database/rows/row_json.h"
 #include "database/rows/schema.h"
 #include "meshing/errors.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -25,9 +26,10 @@ namespace dpcontact
     template <typename T, typename Column>
     void write_values(const hid_t group, const Column &column, const std::vector<T> &values)
     {
-      const auto dataset = hdf5::write_dataset(group, column.name, values);
+      auto dataset = hdf5::write_dataset(group, column.name, values);
       hdf5::write_attribute(dataset, "units", std::string(column.unit));
       hdf5::write_attribute(dataset, "description", std::string(column.description));
+      dataset.close_now(std::string("finish the dataset ") + column.name);
     }
 
     template <typename Points, typename Column, typename Member>
@@ -104,10 +106,11 @@ namespace dpcontact
     void
     write_branch(const hid_t parent, const std::string &name, const std::vector<CurvePoint> &points)
     {
-      const auto group = hdf5::create_group(parent, name);
+      auto group = hdf5::create_group(parent, name);
       for (const CurveQuantity &quantity : curve_quantities())
         std::visit([&](const auto member) { write_member(group, quantity, member, points); },
                    quantity.member);
+      group.close_now("finish the group " + name);
     }
 
     std::vector<CurvePoint> read_branch(const hid_t parent, const std::string &name)
@@ -125,41 +128,51 @@ namespace dpcontact
       return points;
     }
 
-    void write_content(const std::string &path, const Database &database)
+    void write_rows(const hid_t file, const std::vector<Record> &records)
     {
-      auto file = hdf5::create_file(path);
-      {
-        hdf5::write_attribute(file, "title", std::string(database_title));
-        hdf5::write_attribute(file, "schema_version", schema::version);
-
-        const auto provenance = hdf5::create_group(file, "provenance");
-        for (const auto &[name, text] : database.provenance)
-          hdf5::write_attribute(provenance, name, clean_text(text));
-
-        const auto rows = hdf5::create_group(file, "rows");
-        for (const auto &column : schema::columns())
-          with_type_of(column, [&](const auto &example) {
-            write_column<std::decay_t<decltype(example)>>(rows, column, database.records);
-          });
-
-        const auto curves = hdf5::create_group(file, "curves");
-        for (std::size_t i = 0; i < database.records.size(); ++i)
-          {
-            const Record &record = database.records[i];
-            const auto    group  = hdf5::create_group(curves, std::to_string(i));
-            write_branch(group, "loading", record.curve.loading);
-            write_branch(group, "unloading", record.curve.unloading);
-            const auto profile = hdf5::create_group(group, "profile");
-            for (const auto &column : schema::profile_columns())
-              write_member(profile, column, column.member, record.peak_profile);
-          }
-      }
-      file.close_now("finish the file");
+      auto rows = hdf5::create_group(file, "rows");
+      for (const auto &column : schema::columns())
+        with_type_of(column, [&](const auto &example) {
+          write_column<std::decay_t<decltype(example)>>(rows, column, records);
+        });
+      rows.close_now("finish the group rows");
     }
 
-    Database read_content(const fs::path &path)
+    void write_curves(const hid_t file, const std::vector<Record> &records)
     {
-      const auto file = hdf5::open_file(path.string());
+      auto curves = hdf5::create_group(file, "curves");
+      for (std::size_t i = 0; i < records.size(); ++i)
+        {
+          auto group = hdf5::create_group(curves, std::to_string(i));
+          write_branch(group, "loading", records[i].curve.loading);
+          write_branch(group, "unloading", records[i].curve.unloading);
+          auto profile = hdf5::create_group(group, "profile");
+          for (const auto &column : schema::profile_columns())
+            write_member(profile, column, column.member, records[i].peak_profile);
+          profile.close_now("finish the group profile");
+          group.close_now("finish the group of a row's curves");
+        }
+      curves.close_now("finish the group curves");
+    }
+
+    /// The bytes of the file.
+    std::string image_of(const Database &database)
+    {
+      hdf5::NewFile file;
+      hdf5::write_attribute(file, "title", std::string(database_title));
+      hdf5::write_attribute(file, "schema_version", schema::version);
+      auto provenance = hdf5::create_group(file, "provenance");
+      for (const auto &[name, text] : database.provenance)
+        hdf5::write_attribute(provenance, name, clean_text(text));
+      provenance.close_now("finish the group provenance");
+      write_rows(file, database.records);
+      write_curves(file, database.records);
+      return file.close();
+    }
+
+    Database read_content(const fs::path &path, const std::string &bytes)
+    {
+      const auto file = hdf5::open_image(bytes);
       schema::check_version(path.string(),
                             std::to_string(hdf5::read_integer_attribute(file, "schema_version")));
       Database   database;
@@ -196,45 +209,62 @@ namespace dpcontact
     }
   } // namespace
 
+  namespace
+  {
+    /// What the bytes hold instead of the database, NaN being equal to NaN; empty if nothing.
+    std::string difference(const Database &meant, const Database &found)
+    {
+      if (found.records.size() != meant.records.size())
+        return std::to_string(found.records.size()) + " rows for " +
+               std::to_string(meant.records.size());
+      for (std::size_t i = 0; i < meant.records.size(); ++i)
+        if (to_json(found.records[i]).dump() != to_json(meant.records[i]).dump())
+          return "another row " + std::to_string(i);
+      if (found.provenance.size() != meant.provenance.size())
+        return "another provenance";
+      for (const auto &[name, text] : meant.provenance)
+        if (found.provenance.count(name) == 0 || found.provenance.at(name) != clean_text(text))
+          return "another " + name;
+      return {};
+    }
+  } // namespace
+
   void write_store(const fs::path &file, const Database &database)
   {
-    TemporaryFile content(file);
-    TemporaryFile digest(digest_path_of(file));
-    content.write(""); // the system's own reason where the place cannot be written
+    std::string image;
     try
       {
         const hdf5::Silence silence;
-        write_content(content.path().string(), database);
+        image                   = image_of(database);
+        const std::string other = difference(database, read_content(file, image));
+        if (!other.empty())
+          throw hdf5::Failure("reading back gives " + other);
       }
     catch (const hdf5::Failure &failure)
       {
         throw FileError("cannot write " + file.string() + ": " + failure.what());
       }
-    content.sync();
-    digest.write(sha256_of_file(content.path()) + "  " + file.filename().string() + "\n");
-    digest.sync();
-    content.publish();
-    digest.publish();
+    write_with_digest(file, image);
   }
 
   Database read_store(const fs::path &file)
   {
-    check_digest(file);
+    const std::string bytes = read_with_digest(file);
     // Whoever alters a file can renew its digest.
-    const ChildReading reading = read_in_child(file);
+    const ChildReading reading = read_in_child(file, bytes);
     if (reading.code == ExitCode::settings_mismatch)
       throw SettingsMismatch(reading.text);
     if (reading.code != ExitCode::success)
       throw CorruptData(reading.text);
-    return read_store_unchecked(file);
+    return read_store_unchecked(file, bytes);
   }
 
-  Database read_store_unchecked(const fs::path &file)
+  Database read_store_unchecked(const fs::path &file, const std::string &bytes)
   {
     try
       {
         const hdf5::Silence silence;
-        return read_content(file);
+        return read_content(file, bytes);
       }
     catch (const hdf5::Failure &failure)
       {

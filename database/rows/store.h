@@ -23,8 +23,9 @@ namespace dpcontact
     Provenance          provenance;
   };
 
-  /// Writes the HDF5 file @p file and its digest `<file>.sha256` (`sha256sum -c` understands it),
-  /// both through temporary files that are synced and renamed.
+  /// Writes the HDF5 file @p file and its digest `<file>.sha256` (`sha256sum -c` understands it) as
+  /// write_with_digest() does. The file is made in memory and read back there, and every row, curve
+  /// and text compared, before anything is written.
   ///
   /// Layout: attributes `title` and `schema_version` at the root; `/provenance` with one attribute
   /// an entry; `/rows/<column>`, one dataset of length N a column;
@@ -32,9 +33,8 @@ namespace dpcontact
   /// `/curves/<i>/unloading/<quantity>` and `/curves/<i>/profile/<quantity>` for row i. Every
   /// dataset has attributes `units` and `description`. Equal content gives equal bytes.
   ///
-  /// A kill between the two renames leaves a digest that does not match: reading then refuses the
-  /// file, and writing it again from the rows mends it.
-  /// @throws FileError where it cannot be written; an earlier file then stays as it was.
+  /// @throws FileError with the system's reason where it cannot be written; an earlier file and its
+  /// digest then stay as they were.
   void write_store(const std::filesystem::path &file, const Database &database);
 
   /// Reads it back, after the digest of the whole file has been checked and a process of its own
@@ -43,8 +43,10 @@ namespace dpcontact
   /// ours or has no digest, SettingsMismatch if it has another schema version.
   Database read_store(const std::filesystem::path &file);
 
-  /// The same at once. HDF5 can crash on a damaged file: for read_in_child() only.
-  Database read_store_unchecked(const std::filesystem::path &file);
+  /// The database in the bytes of a file, at once. HDF5 can crash on damaged ones: for
+  /// read_in_child() only.
+  /// @param file its name, for messages.
+  Database read_store_unchecked(const std::filesystem::path &file, const std::string &bytes);
 } // namespace dpcontact
 
 #endif

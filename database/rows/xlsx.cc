@@ -68,8 +68,7 @@ namespace dpcontact
 
   void write_xlsx(const std::filesystem::path &file, const Database &database)
   {
-    TemporaryFile temporary(file);
-    temporary.write(""); // the system's own reason where the place cannot be written
+    TemporaryFile        temporary(file);
     lxw_workbook_options options{};
     lxw_workbook *const  book = workbook_new_opt(temporary.path().c_str(), &options);
     if (book == nullptr)

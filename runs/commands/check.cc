@@ -40,7 +40,7 @@ namespace dpcontact::commands
         {
           if (file.extension() == ".csv")
             throw;
-          const ChildReading reading = read_in_child(file);
+          const ChildReading reading = read_in_child(file, read_file(file));
           throw CorruptData(std::string(error.what()) +
                             ". Read all the same, in a process of its own: " + reading.text +
                             (reading.code == ExitCode::success ? ", which may be wrong" : ""));

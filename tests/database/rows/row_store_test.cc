@@ -95,6 +95,44 @@ TEST_F(RowStoreTest, FindsWhatWasWrittenAfterReopening)
   EXPECT_EQ(json::parse(*RowStore::stored_settings(database)), settings());
 }
 
+TEST_F(RowStoreTest, ListsAllRowsAndForgetsThose)
+{
+  const RowStore store(directory / "table.h5", settings());
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+    store.write(any_record(seed));
+  EXPECT_EQ(store.all().size(), 4U);
+  store.remove(any_record(2).input);
+  EXPECT_FALSE(store.find(any_record(2).input));
+  EXPECT_EQ(store.all().size(), 3U);
+}
+
+TEST_F(RowStoreTest, SettingsAreNotWrittenWhileAnotherProcessHoldsTheLock)
+{
+  const fs::path database = directory / "table.h5";
+  const RowStore store(database, settings());
+  const auto     lock = store.lock();
+  fs::remove(RowStore::directory_of(database) / "settings.json");
+  const pid_t child = ::fork();
+  if (child == 0)
+    {
+      try
+        {
+          RowStore(database, settings());
+        }
+      catch (const FileError &error)
+        {
+          const bool named =
+            std::string(error.what()).find(std::to_string(::getppid())) != std::string::npos;
+          ::_exit(named ? 1 : 2);
+        }
+      ::_exit(0);
+    }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_FALSE(RowStore::stored_settings(database));
+}
+
 TEST_F(RowStoreTest, ReplacesARowOfTheSameInputs)
 {
   const RowStore store(directory / "table.h5", settings());
@@ -208,9 +246,9 @@ TEST_F(RowStoreTest, LeftoversOfKilledWritesAreIgnoredAndRemovedByTheNextSweep)
   store.write(any_record(1));
   const fs::path among =
     store.path_of(any_record(2).input).parent_path() /
-    ("." + store.path_of(any_record(2).input).filename().string() + ".17.0.tmp");
-  const fs::path beside = directory / ".table.h5.17.1.tmp";
-  const fs::path others = directory / ".else.h5.17.1.tmp";
+    ("." + store.path_of(any_record(2).input).filename().string() + ".0123456789abcdef.tmp");
+  const fs::path beside = directory / ".table.h5.0123456789abcdef.tmp";
+  const fs::path others = directory / ".table.h5.csv.0123456789abcdef.tmp";
   for (const auto &file : {among, beside, others})
     spill(file, "{\"content\": {\"E_Pa\": 1e1");
   EXPECT_FALSE(store.find(any_record(2).input));
