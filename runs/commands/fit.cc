@@ -39,25 +39,56 @@ namespace dpcontact::commands
       return changes;
     }
 
-    /// Rows first: a database that was not written any more is assembled from them by a sweep.
-    void write_back(const std::filesystem::path &file, const Database &database)
+    /// The rows beside a database, kept from other processes. @throws FileError.
+    struct RowsBeside
     {
-      if (const auto settings = RowStore::stored_settings(file))
-        {
-          const RowStore       rows(file, nlohmann::json::parse(*settings));
-          const RowStore::Lock lock = rows.lock();
-          for (const Record &row : database.records)
-            rows.write(row);
-        }
+      RowStore       rows;
+      RowStore::Lock lock = rows.lock();
+    };
+
+    /// Nothing where no rows are beside it.
+    std::optional<RowsBeside> rows_beside(const std::filesystem::path &file)
+    {
+      const auto settings = RowStore::stored_settings(file);
+      if (!settings)
+        return std::nullopt;
+      return RowsBeside{RowStore(file, nlohmann::json::parse(*settings))};
+    }
+
+    /// @throws SettingsMismatch where the rows beside a database are not its own.
+    void check_settings(const std::filesystem::path &file, const Database &database)
+    {
+      const auto beside = RowStore::stored_settings(file);
+      const auto own    = database.provenance.find("solver_settings");
+      if (beside &&
+          (own == database.provenance.end() ||
+           nlohmann::json::parse(own->second, nullptr, false) != nlohmann::json::parse(*beside)))
+        throw SettingsMismatch(
+          file.string() + " and the rows in " + RowStore::directory_of(file).string() +
+          " were made with different settings:\n  file " +
+          (own == database.provenance.end() ? "(absent)" : own->second) + "\n  rows " + *beside);
+    }
+
+    /// Rows first: a database that was not written any more is assembled from them by a sweep.
+    void write_back(const std::filesystem::path     &file,
+                    const Database                  &database,
+                    const std::optional<RowsBeside> &beside)
+    {
+      if (beside)
+        for (const Record &row : database.records)
+          beside->rows.write(row);
       write_store(file, database);
     }
 
     ExitCode run(const Options &options)
     {
-      Database database = read_store(options.database);
-      Changes  largest{0, 0, 0, 0};
-      Json     rows       = Json::array();
-      bool     all_fitted = true;
+      const auto beside   = options.write ? rows_beside(options.database) : std::nullopt;
+      Database   database = read_store(options.database);
+      if (options.write)
+        check_settings(options.database, database);
+      Changes largest{0, 0, 0, 0};
+      Json    rows       = Json::array();
+      bool    all_fitted = true;
       for (Record &row : database.records)
         {
           const Case            &input = row.input;
@@ -90,7 +121,7 @@ namespace dpcontact::commands
             }
         }
       if (options.write)
-        write_back(options.database, database);
+        write_back(options.database, database, beside);
 
       if (options.json)
         print_document({{"database", options.database},

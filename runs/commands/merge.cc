@@ -17,12 +17,15 @@ namespace dpcontact::commands
       SettingTexts             texts;
       std::string              parameter_file;
       std::vector<std::string> shards;
-      bool                     json = false;
+      bool                     replace = false;
+      bool                     json    = false;
     };
 
     ExitCode run(const Options &options)
     {
-      const Sweep        sweep = read_sweep(options.parameter_file, options.texts);
+      Sweep sweep = read_sweep(options.parameter_file, options.texts);
+      if (options.replace)
+        sweep.other_rows = OtherRows::drop;
       const MergeSummary summary =
         merge_shards(sweep, {options.shards.begin(), options.shards.end()});
       if (options.json)
@@ -30,7 +33,8 @@ namespace dpcontact::commands
                         {"rows", summary.rows},
                         {"duplicates", summary.duplicates},
                         {"converged", summary.converged},
-                        {"failed", summary.failed}});
+                        {"failed", summary.failed},
+                        {"kept", summary.kept}});
       return summary.failed == 0 ? ExitCode::success : ExitCode::incomplete;
     }
   } // namespace
@@ -51,6 +55,7 @@ namespace dpcontact::commands
     add_settings(*command, sweep_settings(), options->texts, "Options");
     add_settings(*command, scene_settings(), options->texts, "Material and scene");
     add_settings(*command, solver_settings(), options->texts, "Solver");
+    add_replace_flag(*command, options->replace);
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
   }

@@ -25,6 +25,7 @@ namespace dpcontact::commands
       std::optional<std::string> shard;
       bool                       dry_run      = false;
       bool                       retry_failed = false;
+      bool                       replace      = false;
       bool                       json         = false;
     };
 
@@ -45,6 +46,8 @@ namespace dpcontact::commands
     {
       Sweep sweep        = read_sweep(options.parameter_file, options.texts);
       sweep.retry_failed = options.retry_failed;
+      if (options.replace)
+        sweep.other_rows = OtherRows::drop;
       if (options.shard)
         sweep.shard = read_shard(*options.shard);
       return sweep;
@@ -123,6 +126,7 @@ namespace dpcontact::commands
                            {"computed", summary.computed},
                            {"converged", summary.converged},
                            {"failed", summary.failed},
+                           {"kept", summary.kept},
                            {"wall_seconds", summary.seconds}});
           print_document(document);
         }
@@ -166,6 +170,7 @@ namespace dpcontact::commands
       ->type_name("K/N");
     command->add_flag("--dry-run", options->dry_run, "list what would be done, and do nothing");
     command->add_flag("--retry-failed", options->retry_failed, "compute failed rows again");
+    add_replace_flag(*command, options->replace);
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run_anyhow(*options); }; });
   }

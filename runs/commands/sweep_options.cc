@@ -23,6 +23,13 @@ namespace dpcontact::commands
                          "[the parameter file's name with .h5, here]")};
   }
 
+  void add_replace_flag(CLI::App &command, bool &replace)
+  {
+    command.add_flag("--replace",
+                     replace,
+                     "leave rows of other grids out of the database, which keeps them otherwise");
+  }
+
   Sweep read_sweep(const std::string &parameter_file, const SettingTexts &given)
   {
     const SettingTexts texts =

@@ -12,12 +12,41 @@
 
 #include <iostream>
 #include <optional>
+#include <set>
 
 namespace dpcontact
 {
   namespace
   {
-    Database assemble(const Sweep &sweep, const RowStore &rows)
+    using Keys = std::set<CaseKey>;
+
+    Keys keys_of(const std::vector<Case> &cases)
+    {
+      Keys keys;
+      for (const Case &input : cases)
+        keys.insert(key_of(input));
+      return keys;
+    }
+
+    /// The rows of other grids, in the order that assemble_database() promises.
+    std::vector<Record> rows_of_other_grids(const Sweep &sweep, const RowStore &rows)
+    {
+      Keys                known = keys_of(sweep.cases);
+      std::vector<Record> others;
+      for (const Record &listed : rows_in_file(sweep))
+        if (known.count(key_of(listed.input)) == 0)
+          if (auto row = rows.find(listed.input))
+            {
+              known.insert(key_of(listed.input));
+              others.push_back(std::move(*row));
+            }
+      for (Record &row : rows.all())
+        if (known.insert(key_of(row.input)).second)
+          others.push_back(std::move(row));
+      return others;
+    }
+
+    Database assemble(const Sweep &sweep, const RowStore &rows, const std::vector<Record> &others)
     {
       Database database;
       for (const Case &input : sweep.cases)
@@ -27,10 +56,12 @@ namespace dpcontact
             throw FileError("the row of " + label(input) + " has vanished; run the sweep again");
           database.records.push_back(std::move(*row));
         }
+      if (sweep.other_rows == OtherRows::keep)
+        database.records.insert(database.records.end(), others.begin(), others.end());
       for (const auto &[name, version] : versions())
         database.provenance["version_" + name] = version;
       database.provenance["solver_settings"] = row_settings(sweep).dump();
-      database.provenance["rows"]            = std::to_string(sweep.cases.size());
+      database.provenance["rows"]            = std::to_string(database.records.size());
       return database;
     }
 
@@ -76,19 +107,27 @@ namespace dpcontact
     return settings;
   }
 
-  /// A database without its rows cannot be resumed, but it must not be overwritten by rows of
-  /// other settings either.
   void check_database(const Sweep &sweep)
   {
     if (std::filesystem::is_directory(sweep.database))
       throw FileError("cannot write the database " + sweep.database.string() +
                       ": it is a directory");
-    if (!std::filesystem::exists(sweep.database) ||
-        RowStore::stored_settings(sweep.database).has_value())
+    RowStore::check_settings(sweep.database, row_settings(sweep));
+    if (!std::filesystem::exists(sweep.database))
       return;
-    const Database    stored = read_store(sweep.database);
-    const auto        found  = stored.provenance.find("solver_settings");
-    const std::string given  = row_settings(sweep).dump();
+    Database stored;
+    try
+      {
+        stored = read_store(sweep.database);
+      }
+    catch (const CorruptData &)
+      {
+        if (RowStore::stored_settings(sweep.database).has_value())
+          return;
+        throw;
+      }
+    const auto        found = stored.provenance.find("solver_settings");
+    const std::string given = row_settings(sweep).dump();
     if (found == stored.provenance.end() || found->second != given)
       throw SettingsMismatch(sweep.database.string() + " was made with other settings:\n  stored " +
                              (found == stored.provenance.end() ? "(absent)" : found->second) +
@@ -96,20 +135,64 @@ namespace dpcontact
                              "\nUse these settings again, or another database.");
   }
 
+  std::vector<Record> rows_in_file(const Sweep &sweep)
+  {
+    if (!std::filesystem::exists(sweep.database))
+      return {};
+    try
+      {
+        Database   stored = read_store(sweep.database);
+        const auto found  = stored.provenance.find("solver_settings");
+        if (found != stored.provenance.end() && found->second == row_settings(sweep).dump())
+          return std::move(stored.records);
+      }
+    catch (const CorruptData &)
+      {}
+    return {};
+  }
+
+  void take_up_rows(const Sweep &sweep, const RowStore &rows)
+  {
+    const Keys  grid  = keys_of(sweep.cases);
+    const bool  all   = rows.names().empty();
+    std::size_t taken = 0;
+    for (const Record &row : rows_in_file(sweep))
+      {
+        const bool wanted =
+          grid.count(key_of(row.input)) == 1 ? all : sweep.other_rows == OtherRows::keep;
+        if (wanted && !rows.find(row.input))
+          {
+            rows.write(row);
+            ++taken;
+          }
+      }
+    if (taken > 0)
+      log_sweep(std::to_string(taken) + " rows were taken up from " + sweep.database.string());
+  }
+
   Assembled assemble_database(const Sweep &sweep, const RowStore &rows)
   {
-    const Database database = assemble(sweep, rows);
-    Assembled      result;
-    for (const Record &row : database.records)
-      ++(row.converged() ? result.converged : result.failed);
+    const std::vector<Record> others   = rows_of_other_grids(sweep, rows);
+    const Database            database = assemble(sweep, rows, others);
+    Assembled                 result;
+    for (std::size_t i = 0; i < sweep.cases.size(); ++i)
+      ++(database.records[i].converged() ? result.converged : result.failed);
+    result.kept = database.records.size() - sweep.cases.size();
     if (!up_to_date(sweep.database, database))
       {
         write_store(sweep.database, database);
         result.written = true;
       }
-    log_sweep(sweep.database.string() + (result.written ? " was written" : " was up to date") +
-              ": " + std::to_string(result.converged) + " rows converged, " +
-              std::to_string(result.failed) + " failed");
+    const std::size_t dropped = others.size() - result.kept;
+    if (dropped > 0)
+      for (const Record &row : others)
+        rows.remove(row.input);
+    log_sweep(
+      sweep.database.string() + (result.written ? " was written" : " was up to date") + ": " +
+      std::to_string(result.converged) + " rows converged, " + std::to_string(result.failed) +
+      " failed" +
+      (result.kept > 0 ? "; " + std::to_string(result.kept) + " rows of other grids kept" : "") +
+      (dropped > 0 ? "; " + std::to_string(dropped) + " rows of other grids dropped" : ""));
     return result;
   }
 

@@ -161,7 +161,8 @@ namespace dpcontact
     for (const fs::path &path : shards)
       {
         Source source = open_shard(sweep, path);
-        check_grid(sweep, source);
+        if (!is_same(source.directory, target))
+          check_grid(sweep, source);
         const bool known = is_same(source.directory, target) ||
                            std::any_of(sources.begin(), sources.end(), [&](const Source &other) {
                              return is_same(source.directory, other.directory);
@@ -193,8 +194,9 @@ namespace dpcontact
       log_sweep(std::to_string(summary.duplicates) + " rows are in several shards, and alike");
 
     const RowStore       rows(sweep.database, row_settings(sweep), log_sweep);
-    const RowStore::Lock lock  = rows.lock();
-    std::size_t          added = 0;
+    const RowStore::Lock lock = rows.lock();
+    take_up_rows(sweep, rows);
+    std::size_t added = 0;
     for (std::size_t i = 0; i < choices.size(); ++i)
       {
         const Case &inputs = sweep.cases[i];
@@ -215,6 +217,7 @@ namespace dpcontact
     summary.rows              = sweep.cases.size();
     summary.converged         = assembled.converged;
     summary.failed            = assembled.failed;
+    summary.kept              = assembled.kept;
     return summary;
   }
 } // namespace dpcontact

@@ -16,6 +16,7 @@ namespace dpcontact
     std::size_t duplicates = 0; ///< rows that several shards hold
     std::size_t converged  = 0;
     std::size_t failed     = 0;
+    std::size_t kept       = 0; ///< rows of other grids that the database holds as well
   };
 
   /// Brings the rows of shards, and those that the database's own row directory has already,

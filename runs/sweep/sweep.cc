@@ -1,6 +1,7 @@
 #include "runs/sweep/sweep.h"
 
 #include "database/rows/row.h"
+#include "database/rows/row_json.h"
 #include "database/rows/row_store.h"
 #include "meshing/errors.h"
 #include "runs/interface/documents.h"
@@ -14,6 +15,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <optional>
 
@@ -37,6 +39,18 @@ namespace dpcontact
       return result;
     }
 
+    /// Where no rows are beside the database, what a sweep will take up from the file itself.
+    std::vector<RowState> states_in_file(const Sweep &sweep, const std::vector<std::size_t> &share)
+    {
+      std::vector<RowState> result(share.size(), RowState::missing);
+      if (!sweep.shard)
+        for (const Record &row : rows_in_file(sweep))
+          for (std::size_t i = 0; i < share.size(); ++i)
+            if (key_of(row.input) == key_of(sweep.cases[share[i]]))
+              result[i] = state_of(row);
+      return result;
+    }
+
     /// What a worker tells the parent about a row that it has stored, in one line.
     nlohmann::json row_message(const Record &row)
     {
@@ -46,27 +60,50 @@ namespace dpcontact
               {"wall_seconds", row.cost.wall_seconds}};
     }
 
-    /// Computes a job and stores its rows. @return a message a row.
+    constexpr const char *resumable =
+      "; the rows finished so far are kept, and the same command computes the others";
+
+    /// What a worker tells the parent where it could not do its job, in one line.
+    std::string stop_message(const ExitCode code, const std::string &reason)
+    {
+      return nlohmann::json{{"error", clean_text(one_line(reason))},
+                            {"code", static_cast<int>(code)}}
+        .dump();
+    }
+
+    /// Computes a job and stores its rows. @return a message a row, or why the sweep must stop.
     std::string work(const Sweep &sweep, const Job &job, const RowStore &rows)
     {
-      nlohmann::json messages = nlohmann::json::array();
-      for (const Record &row : compute_rows(sweep, job))
-        try
-          {
-            rows.write(row);
-            messages.push_back(row_message(row));
-          }
-        catch (const Error &error)
-          {
-            messages.push_back({{"error", error.what()}});
-          }
-      return messages.dump();
+      try
+        {
+          nlohmann::json messages = nlohmann::json::array();
+          for (const Record &row : compute_rows(sweep, job))
+            {
+              rows.write(row);
+              messages.push_back(row_message(row));
+            }
+          return messages.dump();
+        }
+      catch (const Error &error)
+        {
+          return stop_message(error.code(), error.what());
+        }
+      catch (const std::bad_alloc &)
+        {
+          return stop_message(ExitCode::internal, "there is not enough memory");
+        }
+      catch (const std::filesystem::filesystem_error &error)
+        {
+          return stop_message(ExitCode::file, error.what());
+        }
+      catch (const std::exception &error)
+        {
+          return stop_message(ExitCode::internal, error.what());
+        }
     }
 
     void report(const Case &input, const nlohmann::json &message, Progress &progress)
     {
-      if (message.contains("error"))
-        throw FileError(message["error"].get<std::string>());
       const std::string status   = message["status"];
       const std::string warnings = message["warnings"];
       std::string       text     = label(input) + ": " + status;
@@ -82,6 +119,10 @@ namespace dpcontact
     void
     report(const Sweep &sweep, const Job &job, const nlohmann::json &messages, Progress &progress)
     {
+      if (messages.is_object())
+        throw Error(static_cast<ExitCode>(messages.at("code").get<int>()),
+                    label(sweep.cases[job.wanted.front()]) + ": " +
+                      messages.at("error").get<std::string>() + resumable);
       for (std::size_t k = 0; k < job.wanted.size(); ++k)
         report(sweep.cases[job.wanted[k]], messages[k], progress);
     }
@@ -99,18 +140,14 @@ namespace dpcontact
         return [&, environment](const std::size_t job) { return work(sweep, jobs[job], rows); };
       };
       const auto on_end = [&](const JobResult &result) {
-        const Job     &job      = jobs[result.job];
-        nlohmann::json messages = nlohmann::json::array();
-        if (!result.died)
-          messages = nlohmann::json::parse(result.text);
-        else
-          for (const std::size_t i : job.wanted)
-            {
-              const Record row = failed_row(sweep.cases[i], result.text);
-              rows.write(row);
-              messages.push_back(row_message(row));
-            }
-        report(sweep, job, messages, progress);
+        const Job &job = jobs[result.job];
+        report(sweep,
+               job,
+               nlohmann::json::parse(
+                 result.died
+                   ? stop_message(ExitCode::internal, result.text + ", and a second one as well")
+                   : result.text),
+               progress);
       };
       run_jobs(
         numbers, sweep.jobs, make_worker, [](std::size_t) {}, on_end);
@@ -149,7 +186,7 @@ namespace dpcontact
     const std::filesystem::path    database = database_of_share(sweep);
     const std::vector<std::size_t> share    = rows_of_share(sweep);
     if (!RowStore::stored_settings(database).has_value())
-      return std::vector<RowState>(share.size(), RowState::missing);
+      return states_in_file(sweep, share);
     RowStore::check_settings(database, row_settings(sweep));
     return states(sweep, share, RowStore(database, row_settings(sweep), log_sweep));
   }
@@ -159,6 +196,8 @@ namespace dpcontact
     check_database(sweep);
     const RowStore       rows(database_of_share(sweep), row_settings(sweep), log_sweep);
     const RowStore::Lock lock = rows.lock();
+    if (!sweep.shard)
+      take_up_rows(sweep, rows);
 
     const std::vector<std::size_t> share  = rows_of_share(sweep);
     const std::vector<RowState>    before = states(sweep, share, rows);
@@ -207,6 +246,7 @@ namespace dpcontact
     const Assembled assembled = assemble_database(sweep, rows);
     summary.converged         = assembled.converged;
     summary.failed            = assembled.failed;
+    summary.kept              = assembled.kept;
     return summary;
   }
 

@@ -39,6 +39,13 @@ namespace dpcontact
   };
   std::string to_string(const Shard &shard); ///< "2/4"
 
+  /// What becomes of rows of other grids, made with the same settings, that the database holds.
+  enum class OtherRows
+  {
+    keep, ///< they stand behind the grid's
+    drop
+  };
+
   /// A grid to compute and where it goes.
   struct Sweep
   {
@@ -48,7 +55,8 @@ namespace dpcontact
     std::filesystem::path database;             ///< of the whole grid
     unsigned int          jobs         = 1;     ///< processes that compute
     bool                  retry_failed = false; ///< compute rows again that failed before
-    std::optional<Shard>  shard;                ///< compute this part only, and assemble nothing
+    OtherRows             other_rows   = OtherRows::keep;
+    std::optional<Shard>  shard; ///< compute this part only, and assemble nothing
   };
 
   /// What is stored of one case.
@@ -66,6 +74,7 @@ namespace dpcontact
     std::size_t computed  = 0; ///< in this run
     std::size_t converged = 0; ///< of `rows`
     std::size_t failed    = 0; ///< of `rows`
+    std::size_t kept      = 0; ///< rows of other grids that the database holds as well
     double      seconds   = 0;
   };
 
@@ -78,10 +87,15 @@ namespace dpcontact
   std::vector<RowState> row_states(const Sweep &sweep);
 
   /// Computes the rows that are missing, each stored on its own as it ends, and assembles the
-  /// database when none is missing (a shard does not). Progress goes to standard error.
+  /// database when none is missing (a shard does not). Rows that the database holds but its row
+  /// directory has lost are taken up from it. Progress goes to standard error.
+  ///
+  /// What the computation says of a scene is a failed row. Anything else (memory, files, a process
+  /// that somebody ended twice) stops the sweep with its reason; the rows finished before are kept.
   /// @param ranks rank 0's pool under MPI, where the ranks compute; else `jobs` forked processes do,
   /// and no Environment may exist yet in this process.
-  /// @throws SettingsMismatch where rows or database were made with other settings, FileError.
+  /// @throws SettingsMismatch where rows or database were made with other settings, FileError, and
+  /// Error with the code of what stopped a worker.
   SweepSummary run_sweep(const Sweep &sweep, RankPool *ranks = nullptr);
 
   /// What the other ranks do meanwhile. What `read_sweep` throws becomes an error of rank 0.

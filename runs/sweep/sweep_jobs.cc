@@ -106,10 +106,14 @@ namespace dpcontact
     return rows;
   }
 
-  /// The wanted rows of a job; they are failed ones where it fails.
   std::vector<Record> compute_rows(const Sweep &sweep, const Job &job)
   {
     std::vector<Record> rows;
+    const auto          fail = [&](const Error &error) {
+      rows.clear();
+      for (const std::size_t i : job.wanted)
+        rows.push_back(failed_row(sweep.cases[i], error.what()));
+    };
     try
       {
         const std::vector<Solution> solutions = solve_job(sweep, job);
@@ -120,11 +124,13 @@ namespace dpcontact
             rows.push_back(row_of(sweep.cases[i], solutions[static_cast<std::size_t>(position)]));
           }
       }
-    catch (const std::exception &error)
+    catch (const SolverError &error)
       {
-        rows.clear();
-        for (const std::size_t i : job.wanted)
-          rows.push_back(failed_row(sweep.cases[i], error.what()));
+        fail(error);
+      }
+    catch (const InputError &error)
+      {
+        fail(error);
       }
     return rows;
   }

@@ -27,7 +27,9 @@ namespace dpcontact
   /// so every row is in exactly one of the shards.
   std::vector<std::size_t> rows_of_share(const Sweep &sweep);
 
-  /// The wanted rows of a job; they are failed ones where it fails.
+  /// The wanted rows of a job. They are failed ones where the computation says so of its scene
+  /// (SolverError, InputError); every other exception is the machine's or the program's fault and
+  /// leaves, so that no row of it is stored.
   std::vector<Record> compute_rows(const Sweep &sweep, const Job &job);
 } // namespace dpcontact
 

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <optional>
 #include <poll.h>
+#include <set>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -186,19 +187,26 @@ namespace dpcontact
       }
     };
 
-    /// Writing to a child that has died must not end the parent.
-    class IgnoreBrokenPipes
+    /// Writing to a child that has died must not end the parent, nor a file that becomes too large
+    /// a child: both are errors of the call.
+    class IgnoreWriteSignals
     {
     public:
-      IgnoreBrokenPipes()
-        : previous(std::signal(SIGPIPE, SIG_IGN))
+      IgnoreWriteSignals()
+        : broken_pipe(std::signal(SIGPIPE, SIG_IGN))
+        , file_size(std::signal(SIGXFSZ, SIG_IGN))
       {}
-      ~IgnoreBrokenPipes() { std::signal(SIGPIPE, previous); }
-      IgnoreBrokenPipes(const IgnoreBrokenPipes &)            = delete;
-      IgnoreBrokenPipes &operator=(const IgnoreBrokenPipes &) = delete;
+      ~IgnoreWriteSignals()
+      {
+        std::signal(SIGPIPE, broken_pipe);
+        std::signal(SIGXFSZ, file_size);
+      }
+      IgnoreWriteSignals(const IgnoreWriteSignals &)            = delete;
+      IgnoreWriteSignals &operator=(const IgnoreWriteSignals &) = delete;
 
     private:
-      void (*previous)(int);
+      void (*broken_pipe)(int);
+      void (*file_size)(int);
     };
   } // namespace
 
@@ -208,9 +216,10 @@ namespace dpcontact
                 const std::function<void(std::size_t job)>   &on_start,
                 const std::function<void(const JobResult &)> &on_end)
   {
-    const IgnoreBrokenPipes guard;
-    std::deque<std::size_t> waiting(jobs.begin(), jobs.end());
-    Children                children;
+    const IgnoreWriteSignals guard;
+    std::deque<std::size_t>  waiting(jobs.begin(), jobs.end());
+    std::set<std::size_t>    tried_again;
+    Children                 children;
 
     const auto hand_out = [&](Child &child) {
       child.job = waiting.front();
@@ -267,6 +276,12 @@ namespace dpcontact
                     result.text = fate;
                   }
                 children.list.erase(children.list.begin() + static_cast<std::ptrdiff_t>(i));
+                if (result.died && tried_again.insert(result.job).second)
+                  {
+                    std::cerr << "dpcontact: " << fate << "; its job is tried again" << std::endl;
+                    waiting.push_front(result.job);
+                    continue;
+                  }
               }
             on_end(result);
           }

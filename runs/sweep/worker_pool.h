@@ -13,7 +13,7 @@ namespace dpcontact
   struct JobResult
   {
     std::size_t job  = 0;
-    bool        died = false; ///< its process ended before the job did; `text` says how
+    bool        died = false; ///< two processes ended before the job did; `text` says how
     std::string text;         ///< otherwise what the worker returned
   };
 
@@ -23,8 +23,9 @@ namespace dpcontact
   /// Runs jobs in forked processes that take them one after another from the parent.
   ///
   /// The calling process must have no other threads. `make_worker` runs once in each child, where
-  /// libraries may be started. A child that dies loses only its job and is replaced; children end
-  /// with the parent, however that ends. An exception that leaves a worker ends its child.
+  /// libraries may be started. A child that dies is replaced, and its job is tried once more;
+  /// children end with the parent, however that ends. An exception that leaves a worker ends its
+  /// child.
   /// @param on_start runs in the parent when a job is handed out.
   /// @param on_end runs in the parent when a job has ended; jobs end in any order. What it throws
   /// ends the pool.

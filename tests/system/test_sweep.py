@@ -1,8 +1,11 @@
 """A small sweep: killed and resumed, refitted, exported, damaged."""
 
+import contextlib
 import os
 import pathlib
 import random
+import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -10,7 +13,7 @@ import time
 import grids
 import program
 from grids import GRID, SLOW_GRID, read_table
-from program import BAD_INPUT, CORRUPT, FILE, INCOMPLETE, MISMATCH
+from program import BAD_INPUT, CORRUPT, FILE, INTERNAL, MISMATCH, SUCCESS
 
 
 def children_of(process):
@@ -74,26 +77,79 @@ class Sweep(grids.TestCase):
         self.assertEqual(self.table("stormy.h5"), calm)
         self.assertEqual(self.rows("stormy.h5"), self.rows("calm.h5"))
 
-    def test_worker_that_is_killed_fails_its_row_only(self):
+    def test_worker_that_is_killed_is_replaced_and_no_row_fails(self):
         with self.start("table.h5") as process:
             process.stderr.readline()
             while not (children := children_of(process.pid)):
                 time.sleep(0.001)
             os.kill(children[0], signal.SIGKILL)
             log = process.stderr.read()
-        self.assertEqual(process.returncode, INCOMPLETE, log)
-        rows = self.table("table.h5")
-        self.assertEqual([row["status"] for row in rows].count("converged"), 3, log)
-        failed = next(row for row in rows if row["status"] == "failed")
-        self.assertIn("signal 9", failed["reason"])
-        self.assertNotEqual(failed["force_yield_N"], "nan")
-
-        result = self.run_program(*self.arguments, "table.h5", "--json")
-        self.assertEqual(result.returncode, INCOMPLETE)
-        self.assertIn('"computed": 0', result.stdout)
-        self.assertEqual(self.document(*self.arguments, "table.h5", "--retry-failed")["computed"], 1)
+        self.assertEqual(process.returncode, SUCCESS, log)
+        self.assertIn("signal 9", log)
         self.succeed(*self.arguments, "calm.h5")
         self.assertEqual(self.table("table.h5"), self.table("calm.h5"))
+
+    def test_workers_that_are_killed_again_and_again_stop_the_sweep(self):
+        with self.start("table.h5") as process:
+            while process.poll() is None:
+                with contextlib.suppress(OSError):
+                    for child in children_of(process.pid):
+                        os.kill(child, signal.SIGKILL)
+            log = process.stderr.read()
+        self.assertEqual(process.returncode, INTERNAL, log)
+        self.assertIn("signal 9", log)
+        self.assertNotIn("failed", log)
+        self.assertEqual(self.document(*self.arguments, "table.h5")["failed"], 0)
+        self.succeed(*self.arguments, "calm.h5")
+        self.assertEqual(self.table("table.h5"), self.table("calm.h5"))
+
+    def test_a_fault_of_the_machine_is_no_failed_row(self):
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+
+        for options in ({"env": {**os.environ, "TMPDIR": str(self.directory / "absent")}},
+                        {"preexec_fn": small_files}):
+            with self.subTest(" ".join(options)):
+                result = self.run_program(*self.arguments, "table.h5", **options)
+                self.assertIn(result.returncode, (FILE, INTERNAL), result.stderr)
+                self.assertIn("the same command computes the others", result.stderr)
+                for content in self.stored_rows("table.h5").values():  # elastic rows need no mesh
+                    self.assertIn(b'"status": "converged"', content)
+                self.assertFalse((self.directory / "table.h5").exists())
+        self.assertEqual(self.document(*self.arguments, "table.h5")["converged"], 4)
+
+    def test_a_sweep_adds_rows(self):
+        self.succeed(*self.arguments, "table.h5")
+        before = self.table("table.h5")
+        other = self.write("other.prm", GRID.replace("20MPa, 1GPa", "30MPa"))
+        arguments = ["sweep", other, "--jobs", "2", "--database", "table.h5"]
+        found = self.document(*arguments)
+        self.assertEqual((found["rows"], found["computed"], found["kept"]), (2, 2, 4))
+        rows = self.table("table.h5")
+        self.assertEqual([row["sigma_c_Pa"] for row in rows[:2]], ["3e+07", "3e+07"])
+        self.assertEqual(rows[2:], before)
+        self.assertIn("4 rows of other grids kept", self.succeed(*arguments).stderr)
+
+        with self.subTest("and takes up those of a file whose row directory is gone"):
+            shutil.rmtree(self.directory / "table.h5.rows")
+            self.assertEqual(self.document(*self.arguments, "table.h5")["computed"], 0)
+            self.assertEqual(self.table("table.h5"), before + rows[:2])
+
+        with self.subTest("unless they are to be replaced"):
+            self.assertEqual(self.document(*arguments, "--replace")["kept"], 0)
+            self.assertEqual(self.table("table.h5"), rows[:2])
+
+    def test_refitting_refuses_rows_of_other_settings(self):
+        self.succeed(*self.arguments, "table.h5")
+        self.succeed(*self.arguments, "finer.h5", "--resolution", "13")
+        for ending in ("", ".sha256"):
+            shutil.copy(self.directory / f"finer.h5{ending}", self.directory / f"table.h5{ending}")
+        with self.unchanged_files():
+            for words in (["fit", "table.h5", "--write"], [*self.arguments, "table.h5"]):
+                result = self.run_program(*words)
+                self.assertEqual(result.returncode, MISMATCH, result.stderr)
+                self.assertIn('"resolution":12', result.stderr)
+                self.assertIn('"resolution":13', result.stderr)
 
     def test_life_of_a_database(self):
         first = self.document(*self.arguments, "table.h5")

@@ -7,6 +7,7 @@
 #include <set>
 #include <signal.h>
 #include <stdexcept>
+#include <stdlib.h>
 #include <unistd.h>
 
 namespace
@@ -61,7 +62,26 @@ namespace
     EXPECT_TRUE(run(0, 4, [](std::size_t) { return std::string(); }).empty());
   }
 
-  TEST(WorkerPool, a_child_that_dies_loses_only_its_job)
+  TEST(WorkerPool, a_job_whose_child_dies_is_tried_once_more)
+  {
+    std::string name(::testing::TempDir() + "dpcontact-worker-XXXXXX");
+    const int   tries   = mkstemp(name.data());
+    const auto  results = run(4, 2, [&](const std::size_t job) -> std::string {
+      if (job == 2 && lseek(tries, 0, SEEK_END) == 0)
+        {
+          EXPECT_EQ(write(tries, "x", 1), 1);
+          raise(SIGKILL);
+        }
+      return "done";
+    });
+    close(tries);
+    unlink(name.c_str());
+    ASSERT_EQ(results.size(), 4U);
+    for (const auto &[job, result] : results)
+      EXPECT_FALSE(result.died) << job;
+  }
+
+  TEST(WorkerPool, a_child_that_dies_twice_loses_only_its_job)
   {
     const auto results = run(9, 2, [](const std::size_t job) -> std::string {
       if (job == 3)
