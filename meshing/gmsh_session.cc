@@ -8,40 +8,125 @@
 
 #include <gmsh.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
+
+/// FLTK's class, whose function gmsh calls for one option of its windows when it starts. FLTK's own
+/// function would write preferences into /etc/fltk and into the home directory for that. This
+/// program has no windows, and the definition here takes the place of the library's.
+class Fl
+{
+public:
+  enum Fl_Option : unsigned int
+  {
+  };
+  static void option(Fl_Option, bool);
+};
+void Fl::option(Fl_Option, bool) {}
 
 namespace dpcontact
 {
   namespace
   {
-    /// A file of its own under the temporary directory, gone with its scope.
-    class TemporaryFile
+    /// The directory for temporary files. @throws FileError where it is none.
+    std::filesystem::path temporary_directory()
+    {
+      std::error_code             error;
+      const std::filesystem::path directory = std::filesystem::temp_directory_path(error);
+      if (!error)
+        return directory;
+      const char *const given = std::getenv("TMPDIR");
+      throw FileError(std::string("the directory for temporary files (TMPDIR = '") +
+                      (given == nullptr ? "" : given) + "') cannot be used: " + error.message());
+    }
+
+    /// A mesh file of its own in the directory for temporary files, gone with its scope. A lock on
+    /// it (flock) tells that somebody is at work, so that what killed processes left can be
+    /// removed.
+    class TemporaryMesh
     {
     public:
-      explicit TemporaryFile(const std::string &suffix)
+      TemporaryMesh()
       {
-        path = (std::filesystem::temp_directory_path() / "dpcontact-XXXXXX").string() + suffix;
-        const int descriptor = mkstemps(path.data(), static_cast<int>(suffix.size()));
+        const std::filesystem::path directory = temporary_directory();
+        remove_leftovers(directory);
+        path       = (directory / (std::string(prefix) + "XXXXXX" + suffix)).string();
+        descriptor = mkostemps(path.data(), static_cast<int>(std::strlen(suffix)), O_CLOEXEC);
         if (descriptor < 0)
           throw FileError("cannot create a temporary file like '" + path +
-                          "': check that the directory (TMPDIR) is writable");
-        close(descriptor);
+                          "' (see TMPDIR): " + std::strerror(errno));
+        ::flock(descriptor, LOCK_EX);
       }
-      ~TemporaryFile()
+      ~TemporaryMesh()
       {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);
+        ::close(descriptor);
       }
-      TemporaryFile(const TemporaryFile &)            = delete;
-      TemporaryFile &operator=(const TemporaryFile &) = delete;
+      TemporaryMesh(const TemporaryMesh &)            = delete;
+      TemporaryMesh &operator=(const TemporaryMesh &) = delete;
 
       std::string path;
+
+    private:
+      static constexpr const char *prefix = "dpcontact-";
+      static constexpr const char *suffix = ".msh";
+
+      static bool is_ours(const std::string &name)
+      {
+        const std::size_t ends = std::strlen(prefix) + std::strlen(suffix);
+        return name.size() == ends + 6 && name.rfind(prefix, 0) == 0 &&
+               name.compare(name.size() - std::strlen(suffix), std::string::npos, suffix) == 0;
+      }
+
+      /// What nobody holds, of this user.
+      static void remove_leftovers(const std::filesystem::path &directory)
+      {
+        std::error_code ignored;
+        for (const auto &entry : std::filesystem::directory_iterator(directory, ignored))
+          {
+            if (!is_ours(entry.path().filename().string()))
+              continue;
+            const int   file   = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+            struct stat status = {};
+            if (file >= 0 && ::fstat(file, &status) == 0 && status.st_uid == ::geteuid() &&
+                ::flock(file, LOCK_EX | LOCK_NB) == 0)
+              std::filesystem::remove(entry.path(), ignored);
+            if (file >= 0)
+              ::close(file);
+          }
+      }
+
+      int descriptor = -1;
     };
+
+    /// gmsh's mesh of its model in the text of its format 4.1. gmsh writes no other place than a
+    /// file, which is there for no longer than that takes.
+    /// @throws FileError where the file is not whole, of which gmsh itself says nothing.
+    std::string mesh_text()
+    {
+      const TemporaryMesh file;
+      gmsh::write(file.path);
+      std::ifstream     input(file.path);
+      std::stringstream text;
+      text << input.rdbuf();
+      const std::string content = text.str(), end = "$EndElements\n";
+      if (content.size() < end.size() ||
+          content.compare(content.size() - end.size(), end.size(), end) != 0)
+        throw FileError("cannot write the mesh into the temporary file " + file.path +
+                        ": the disk (see TMPDIR) may be full");
+      return content;
+    }
   } // namespace
 
   GmshSession::GmshSession()
@@ -49,6 +134,8 @@ namespace dpcontact
     gmsh::initialize(0, nullptr, /*readConfigFiles=*/false);
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
+    gmsh::option::setNumber("General.SaveOptions", 0);
+    gmsh::option::setNumber("General.SaveSession", 0);
     gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
     gmsh::model::add("dpcontact");
   }
@@ -74,10 +161,7 @@ namespace dpcontact
   void GmshSession::mesh_into(dealii::Triangulation<dim> &mesh) const
   {
     gmsh::model::mesh::generate(dim);
-    const TemporaryFile file(".msh");
-    gmsh::write(file.path);
-
-    std::ifstream       input(file.path);
+    std::istringstream  input(mesh_text());
     dealii::GridIn<dim> reader(mesh);
     reader.read_msh(input);
     if (!mesh.all_reference_cells_are_hyper_cube())

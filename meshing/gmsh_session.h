@@ -30,7 +30,8 @@ namespace dpcontact
 
     /// Meshes the model's surfaces, or volumes, and hands the result to `mesh` with its boundary
     /// ids.
-    /// @throws SolverError where other cells than quadrilaterals, or bricks, come out.
+    /// @throws SolverError where other cells than quadrilaterals, or bricks, come out; FileError
+    /// where the directory for temporary files (TMPDIR) is missing or full.
     template <int dim>
     void mesh_into(dealii::Triangulation<dim> &mesh) const;
   };

@@ -1,6 +1,8 @@
 #include "database/contact_law/law_of_case.h"
 
 #include "database/files/digest.h"
+#include "database/files/regular_file.h"
+#include "database/tables/universal_checks.h"
 #include "meshing/errors.h"
 #include "solver/closed_form/first_yield.h"
 
@@ -27,7 +29,11 @@ namespace dpcontact
 
   ContactTable read_universal_table(const std::string &file)
   {
-    std::istringstream stream(read_with_digest(file));
+    require_regular_file(file);
+    const std::string text = read_with_digest(file);
+    if (text.rfind(std::string("# ") + universal_title, 0) == 0)
+      refuse_errors(check(UniversalTable::read(file)), file);
+    std::istringstream stream(text);
     try
       {
         return ContactTable::read(stream);

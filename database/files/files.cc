@@ -219,9 +219,17 @@ namespace dpcontact
 
   std::string read_file(const std::filesystem::path &path)
   {
-    const Descriptor file(path, O_RDONLY, "read", path);
-    std::string      content;
-    std::string      buffer(1 << 16, '\0');
+    const Descriptor file(path, O_RDONLY | O_NONBLOCK, "read", path); // no waiting for a pipe
+    struct stat      status = {};
+    if (::fstat(file.get(), &status) != 0)
+      fail("read", path);
+    if (S_ISDIR(status.st_mode))
+      throw FileError("cannot read " + path.string() + ": it is a directory");
+    if (!S_ISREG(status.st_mode))
+      throw FileError("cannot read " + path.string() +
+                      ": it is no regular file (a pipe, a socket or a device)");
+    std::string content;
+    std::string buffer(1 << 16, '\0');
     while (true)
       {
         const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());

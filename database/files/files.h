@@ -65,7 +65,7 @@ namespace dpcontact
   /// @throws FileError.
   void write_file(const std::filesystem::path &file, const std::string &content);
 
-  /// The bytes of a file. @throws FileError if it is missing or cannot be read.
+  /// The bytes of a file. @throws FileError if it is missing, no regular file, or cannot be read.
   std::string read_file(const std::filesystem::path &file);
 
   /// Makes renames and new names in a directory durable. @throws FileError.

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace dpcontact
@@ -27,6 +29,17 @@ namespace dpcontact
         }
       else
         return value;
+    }
+
+    /// Whether a signed integer holds the number without loss.
+    template <typename T>
+    bool fits(const json &entry)
+    {
+      if (entry.is_number_unsigned()) // nlohmann's kind of every integer that is not negative
+        return entry.get<std::uint64_t>() <=
+               static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+      return entry.is_number_integer() &&
+             entry.get<std::int64_t>() >= std::numeric_limits<T>::min();
     }
 
     template <typename T>
@@ -51,9 +64,10 @@ namespace dpcontact
           ok = entry.is_number();
         }
       else if constexpr (std::is_unsigned_v<T>)
-        ok = entry.is_number_unsigned();
+        ok =
+          entry.is_number_unsigned() && entry.get<std::uint64_t>() <= std::numeric_limits<T>::max();
       else
-        ok = entry.is_number_integer();
+        ok = fits<T>(entry);
       if (!ok)
         throw CorruptData("a row's entry '" + name + "' has the wrong type");
       value = entry.get<T>();

@@ -2,6 +2,7 @@
 
 #include "database/files/digest.h"
 #include "database/files/files.h"
+#include "database/files/json_text.h"
 #include "database/rows/identity.h"
 #include "database/rows/row_json.h"
 #include "database/rows/schema.h"
@@ -13,7 +14,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <set>
 #include <unistd.h>
 #include <utility>
 
@@ -33,7 +33,7 @@ namespace dpcontact
     /// @throws CorruptData unless @p text is what seal() made of some content, byte for byte.
     json unseal(const std::string &text)
     {
-      const json document = json::parse(text, nullptr, false);
+      const json document = parse_json<json>(text, "it");
       if (!document.is_object() || !document.contains("content") || !document.contains("sha256"))
         throw CorruptData("it is not a complete JSON document with a content and its digest");
       const json &content = document["content"];
@@ -68,25 +68,12 @@ namespace dpcontact
     /// @throws SettingsMismatch with one line for every entry that differs.
     void compare(const fs::path &directory, const json &stored, const json &given)
     {
-      const json            old_entries = stored.flatten();
-      const json            new_entries = given.flatten();
-      std::set<std::string> names;
-      for (const json *entries : {&old_entries, &new_entries})
-        for (const auto &entry : entries->items())
-          names.insert(entry.key());
-
-      const auto value = [](const json &entries, const std::string &name) {
-        return entries.contains(name) ? entries.at(name).dump() : std::string("(absent)");
-      };
-      std::string differences;
-      for (const auto &name : names)
-        if (!old_entries.contains(name) || !new_entries.contains(name) ||
-            old_entries.at(name) != new_entries.at(name))
-          differences += "\n  " + name + ": stored " + value(old_entries, name) + ", now " +
-                         value(new_entries, name);
-      if (!differences.empty())
+      std::string text;
+      for (const JsonDifference &entry : differences(stored, given))
+        text += "\n  /" + entry.name + ": stored " + entry.left + ", now " + entry.right;
+      if (!text.empty())
         throw SettingsMismatch("the rows in " + directory.string() +
-                               " were made with other settings:" + differences +
+                               " were made with other settings:" + text +
                                "\nUse these settings again, or another database.");
     }
 

@@ -1,4 +1,5 @@
 #include "database/tables/material_table.h"
+#include "solver/parallel/blas_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ namespace dpcontact
     public:
       Kriging(const MaterialTable &table, const KrigingCovariance *known)
       {
+        require_blas_memory();
         OT::Log::Show(OT::Log::NONE);
         low.fill(std::numeric_limits<double>::infinity());
         high.fill(-std::numeric_limits<double>::infinity());

@@ -2,6 +2,7 @@
 
 #include "database/files/csv.h"
 #include "database/files/digest.h"
+#include "database/files/json_text.h"
 #include "fitting/power_law.h"
 #include "fitting/resample.h"
 #include "fitting/smooth_curve.h"
@@ -300,7 +301,8 @@ namespace dpcontact
       return found == table.provenance.end() ? std::string() : found->second;
     };
     const auto settings = [&](const UniversalTable &table) {
-      nlohmann::json json = nlohmann::json::parse(entry(table, "solver_settings"), nullptr, false);
+      auto json = parse_json<nlohmann::json>(entry(table, "solver_settings"),
+                                             "what a universal table says of solver_settings");
       if (json.is_object())
         json.erase("grid_sha256");
       return json;

@@ -8,6 +8,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 
 #include <iostream>
 #include <memory>
@@ -50,6 +51,7 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files({{options.database}, {}});
       const std::vector<Finding> findings = findings_of(options.database);
       std::array<std::size_t, 3> counts{};
       Json                       list = Json::array();

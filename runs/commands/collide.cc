@@ -4,6 +4,7 @@
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "solver/closed_form/first_yield.h"
 #include "solver/problem/quantity.h"
 
@@ -27,6 +28,7 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files({{options.table, options.parameter_file}, {}});
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
       const double radius   = input.scene.radius;
       const double radius_2 = options.radius_2.empty()

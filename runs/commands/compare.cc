@@ -2,6 +2,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "solver/problem/quantity.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files({{options.database, options.other}, {options.csv}});
       const Database one = read_store(options.database), other = read_store(options.other);
       const auto     rows = compare(one, other);
       if (!options.csv.empty())

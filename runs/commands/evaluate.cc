@@ -1,6 +1,7 @@
-#include "database/files/files.h"
+#include "database/tables/universal_checks.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/interface/outputs.h"
 #include "runs/studies/evaluation.h"
 
 #include <iostream>
@@ -21,13 +22,13 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files({{options.rows, options.universal, options.held_out}, {}});
       Json document;
       if (options.held_out_only)
         {
-          const Json held_out = Json::parse(read_file(options.held_out), nullptr, false);
-          if (held_out.is_discarded())
-            throw CorruptData(options.held_out + " is not JSON");
-          document = compare_held_out(UniversalTable::read(options.universal), held_out);
+          const UniversalTable table = UniversalTable::read(options.universal);
+          refuse_errors(check(table), options.universal);
+          document = compare_held_out(table, read_held_out(options.held_out));
         }
       else
         document =

@@ -4,6 +4,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 
 #include <iostream>
 #include <memory>
@@ -23,6 +24,9 @@ namespace dpcontact::commands
     {
       if (!options.datapackage.empty() && options.csv.empty())
         throw InputError("export: --datapackage describes the file of --csv: give that too");
+      check_files(
+        {{options.database},
+         {options.csv, options.datapackage, options.xlsx, options.json_table, options.datacite}});
       const Database database = read_database(options.database);
       Json           written  = {{"database", options.database}};
       const auto     note     = [&](const char *what, const std::string &file) {

@@ -5,6 +5,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "solver/problem/quantity.h"
 
 #include <cmath>
@@ -82,6 +83,7 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files({{options.database}, {}});
       const auto beside   = options.write ? rows_beside(options.database) : std::nullopt;
       Database   database = read_store(options.database);
       if (options.write)

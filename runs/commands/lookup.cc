@@ -4,6 +4,7 @@
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/lookup_documents.h"
+#include "runs/interface/outputs.h"
 #include "solver/problem/quantity.h"
 
 #include <iostream>
@@ -32,8 +33,11 @@ namespace dpcontact::commands
       std::vector<std::pair<Case, LookupResult>> answers;
       for (const Case &input :
            read_grid(merged(options.parameter_file, scene_settings(), options.texts)))
-        answers.emplace_back(
-          input, table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse));
+        {
+          answers.emplace_back(
+            input, table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse));
+          answers.back().second.loading = {}; // not in the table, and by far the most of an answer
+        }
       write_file(options.csv, lookup_csv(answers));
       if (options.json)
         print_document({{"csv", options.csv}, {"rows", answers.size()}});
@@ -48,9 +52,11 @@ namespace dpcontact::commands
       const unsigned int points = options.curve.empty() ? 0 : parse_count("curve", options.curve);
       if (points > 100000)
         throw InputError("curve is " + options.curve + "; it must be at most 100000 points");
-      const LookupTable table(method,
-                              options.database.empty() ? default_database(method)
-                                                       : std::filesystem::path(options.database));
+      const std::filesystem::path database = options.database.empty()
+                                               ? default_database(method)
+                                               : std::filesystem::path(options.database);
+      check_files({{database, options.parameter_file}, {options.csv}});
+      const LookupTable table(method, database);
       if (!options.csv.empty())
         return write_grid(options, table);
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));

@@ -4,10 +4,15 @@
 #include "runs/interface/version.h"
 #include "solver/parallel/environment.h"
 
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
+#include <new>
 #include <thread>
+#include <unistd.h>
 
 namespace dpcontact
 {
@@ -62,6 +67,16 @@ namespace dpcontact
       return action();
     }
 
+    /// Files that are opened later must not get the numbers of standard streams that were closed,
+    /// or messages would land in them. Output to a stream that was closed still fails; messages go
+    /// nowhere.
+    void open_standard_streams()
+    {
+      for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+          (void)!::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    }
+
     int report(const std::string &kind, const std::string &message, const ExitCode code)
     {
       // What all processes of an MPI run see, one of them says: mpirun ends the others meanwhile.
@@ -75,6 +90,8 @@ namespace dpcontact
 
   int run_program(const int argc, const char *const *argv)
   {
+    open_standard_streams();
+    std::signal(SIGXFSZ, SIG_IGN); // a file that gets too large is an error of that file
     try
       {
         const ExitCode code = run(argc, argv);
@@ -86,6 +103,12 @@ namespace dpcontact
     catch (const Error &error)
       {
         return report("error", error.what(), error.code());
+      }
+    catch (const std::bad_alloc &)
+      {
+        return report("error",
+                      "there is not enough memory: see `ulimit -v`, or take a coarser mesh",
+                      ExitCode::internal);
       }
     catch (const std::exception &error)
       {

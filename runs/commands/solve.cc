@@ -1,11 +1,14 @@
 #include "solver/path/solve.h"
 
+#include "database/files/files.h"
 #include "database/rows/row.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/interface/agreement.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/checkpoint_file.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "runs/interface/result_files.h"
 #include "runs/interface/version.h"
 #include "solver/parallel/environment.h"
@@ -16,6 +19,8 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
+#include <system_error>
 #include <unistd.h>
 
 namespace dpcontact::commands
@@ -26,7 +31,8 @@ namespace dpcontact::commands
     {
       SettingTexts texts;
       std::string  parameter_file;
-      bool         json = false;
+      bool         overwrite = false;
+      bool         json      = false;
     };
 
     const char *const output_name     = "output";
@@ -130,69 +136,159 @@ namespace dpcontact::commands
                 << (row.reason.empty() ? "" : ": ") << row.reason << '\n';
     }
 
+    /// Where results and state go; empty: nowhere.
+    struct Places
+    {
+      std::filesystem::path directory, checkpoint;
+    };
+
+    /// Tries the places before anything is computed, and clears the directory where that is asked.
+    void prepare(const Places &places, const Options &options)
+    {
+      CommandFiles files{{options.parameter_file}, {places.checkpoint}};
+      if (!places.checkpoint.empty())
+        TemporaryFile::remove_leftovers(places.checkpoint);
+      if (places.directory.empty())
+        return check_files(files);
+      make_result_directory(places.directory);
+      std::set<std::filesystem::path> results;
+      for (const auto &names :
+           {result_files_of(places.directory), result_files_in(places.directory)})
+        results.insert(names.begin(), names.end());
+      files.outputs.insert(files.outputs.end(), results.begin(), results.end());
+      check_files(files);
+      std::error_code ignored;
+      const bool      goes_on =
+        !places.checkpoint.empty() && std::filesystem::exists(places.checkpoint, ignored);
+      see_to_old_results(places.directory,
+                         options.overwrite ? OldResults::remove
+                         : goes_on         ? OldResults::keep
+                                           : OldResults::refuse);
+    }
+
+    Checkpoint
+    checkpoint_in(const std::filesystem::path &file, const Json &inputs, const bool first)
+    {
+      Checkpoint checkpoint;
+      if (file.empty())
+        return checkpoint;
+      if (std::filesystem::exists(file))
+        {
+          checkpoint.found = read_checkpoint(file, inputs);
+          if (first)
+            std::cerr << "dpcontact: going on from " << file.string() << std::endl;
+        }
+      checkpoint.keep = [file, inputs, first](const Arrays &state) {
+        if (first)
+          write_checkpoint(file, inputs, state);
+      };
+      return checkpoint;
+    }
+
+    /// What is to be solved, and where that goes.
+    struct Task
+    {
+      Case          input;
+      SolverOptions options;
+      Places        places;
+      Json          inputs; ///< input and options, for checkpoints and failed results
+    };
+
+    struct Result
+    {
+      Solution solution;
+      Record   row;
+      Json     document;
+    };
+
+    /// Solves and writes the results. What fails leaves a result that says so.
+    Result solve(const Task &task, const Communicator &processes)
+    {
+      const bool first    = processes.rank() == 0;
+      const bool terminal = first && isatty(STDERR_FILENO) == 1;
+      const bool writes   = first && !task.places.directory.empty();
+      // A step in space takes seconds to minutes, an axisymmetric curve less than that.
+      const StepObserver observer = terminal                                   ? report_step
+                                    : first && in_space(task.options.geometry) ? log_step
+                                                                               : StepObserver();
+      const FieldSink    fields =
+        task.places.directory.empty() ? FieldSink() : fields_into(task.places.directory);
+      const auto end_line = [terminal] {
+        if (terminal)
+          std::cerr << "\r\033[K" << std::flush;
+      };
+      try
+        {
+          const Checkpoint checkpoint = checkpoint_in(task.places.checkpoint, task.inputs, first);
+          Result           result;
+          result.solution = solve_contact(task.input.material,
+                                          task.input.scene,
+                                          task.options,
+                                          fields,
+                                          observer,
+                                          processes,
+                                          checkpoint);
+          end_line();
+          result.row      = row_of(task.input, result.solution);
+          result.document = document_of(task.input, task.options, result.solution, result.row);
+          if (writes)
+            write_result_files(task.places.directory, result.solution, result.document);
+          return result;
+        }
+      catch (const std::exception &error)
+        {
+          end_line();
+          if (writes)
+            write_failed_result(task.places.directory, task.inputs, error.what());
+          throw;
+        }
+    }
+
+    void report(const Options &options, const Task &task, const Result &result)
+    {
+      if (!result.row.warnings.empty())
+        std::cerr << "dpcontact: warning: " << result.row.warnings << std::endl;
+      if (options.json)
+        return print_document(result.document);
+      print_for_people(task.input, result.solution, result.row);
+      if (!task.places.directory.empty())
+        for (const Json &file : result.document.at("files"))
+          std::cout << "written   " << file.get<std::string>() << '\n';
+    }
+
     ExitCode run(const Options &options)
     {
       const SettingTexts texts =
         merged(options.parameter_file,
                scene_settings() + second_body_settings() + solver_settings() + own_settings(),
                options.texts);
-      Case input = read_case(texts);
-      read_second_body(texts, input);
-      const SolverOptions used = read_solver_options(texts);
-
-      const auto        found     = texts.find(output_name);
-      const std::string directory = found == texts.end() ? "" : found->second;
-      if (!directory.empty())
-        make_result_directory(directory);
+      Task task{read_case(texts),
+                read_solver_options(texts),
+                {find(texts, output_name).value_or(""), find(texts, checkpoint_name).value_or("")},
+                {}};
+      read_second_body(texts, task.input);
+      task.inputs = {{"material", material_json(task.input)},
+                     {"scene", scene_json(task.input)},
+                     {"options", options_json(task.options)}};
 
       const Environment  environment;
       const Communicator processes = environment.world();
-      const bool         first     = processes.rank() == 0;
-      const bool         terminal  = first && isatty(STDERR_FILENO) == 1;
-
-      const Json settings = {{"material", material_json(input)},
-                             {"scene", scene_json(input)},
-                             {"options", options_json(used)}};
-      Checkpoint checkpoint;
-      const auto kept = texts.find(checkpoint_name);
-      if (kept != texts.end())
-        {
-          if (std::filesystem::exists(kept->second))
-            {
-              checkpoint.found = read_checkpoint(kept->second, settings);
-              if (first)
-                std::cerr << "dpcontact: going on from " << kept->second << std::endl;
-            }
-          checkpoint.keep = [&](const Arrays &state) {
-            if (first)
-              write_checkpoint(kept->second, settings, state);
-          };
-        }
-      // A step in space takes seconds to minutes, an axisymmetric curve less than that.
-      const StepObserver observer = terminal                           ? report_step
-                                    : first && in_space(used.geometry) ? log_step
-                                                                       : StepObserver();
-      const Solution     solution = solve_contact(
-        input.material, input.scene, used, directory, observer, processes, checkpoint);
+      check_agreement(processes,
+                      {{"inputs", task.inputs},
+                       {output_name, task.places.directory.string()},
+                       {checkpoint_name, task.places.checkpoint.string()},
+                       {"revision", git_revision()}});
+      const bool first = processes.rank() == 0;
+      if (first)
+        prepare(task.places, options);
+      const Result result = solve(task, processes);
       if (!first)
         return ExitCode::success;
-      if (kept != texts.end())
-        std::filesystem::remove(kept->second);
-      const Record row = row_of(input, solution);
-      if (terminal)
-        std::cerr << "\r\033[K" << std::flush;
-
-      const Json document = document_of(input, used, solution, row);
-      if (!directory.empty())
-        write_result_files(directory, solution, document);
-      if (!row.warnings.empty())
-        std::cerr << "dpcontact: warning: " << row.warnings << std::endl;
-      if (options.json)
-        print_document(document);
-      else
-        print_for_people(input, solution, row);
-      if (!row.converged())
-        throw SolverError(row.reason);
+      if (!task.places.checkpoint.empty())
+        std::filesystem::remove(task.places.checkpoint);
+      report(options, task, result);
+      if (!result.row.converged())
+        throw SolverError(result.row.reason);
       return ExitCode::success;
     }
   } // namespace
@@ -209,6 +305,9 @@ namespace dpcontact::commands
                  "Second body (identical to the first unless one is given)");
     add_settings(*command, solver_settings(), options->texts, "Solver");
     add_settings(*command, own_settings(), options->texts, "Options");
+    command->add_flag("--overwrite",
+                      options->overwrite,
+                      "remove the results that the directory of --output holds already");
     add_parameter_file(*command, options->parameter_file);
     add_json_flag(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });

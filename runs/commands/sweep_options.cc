@@ -2,6 +2,7 @@
 
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
+#include "runs/interface/outputs.h"
 #include "solver/parallel/environment.h"
 #include "solver/path/families.h"
 #include "solver/problem/quantity.h"
@@ -45,6 +46,13 @@ namespace dpcontact::commands
       throw InputError("database: is empty");
     else
       sweep.database = database->second;
+
+    const std::string ending = sweep.database.extension().string();
+    if (ending != ".h5" && ending != ".hdf5")
+      throw InputError("database: " + sweep.database.string() +
+                       " is to be an HDF5 file, so its name must end in .h5 or .hdf5; dpcontact "
+                       "export writes other formats of it");
+    check_files({{parameter_file}, {sweep.database}});
 
     const auto mode = texts.find("mode");
     if (mode != texts.end())

@@ -5,6 +5,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "runs/interface/version.h"
 
 #include <iostream>
@@ -23,10 +24,16 @@ namespace dpcontact::commands
 
     ExitCode run(const Options &options)
     {
+      check_files(
+        {{options.database, options.join}, {options.csv, options.datapackage, options.datacite}});
       UniversalTable table =
         UniversalTable::from_rows(read_store(options.database), git_revision());
       if (!options.join.empty())
-        table = table.joined(UniversalTable::read(options.join));
+        {
+          const UniversalTable joined = UniversalTable::read(options.join);
+          refuse_errors(check(joined), options.join);
+          table = table.joined(joined);
+        }
       table.write(options.csv);
       if (!options.datapackage.empty())
         write_datapackage(options.datapackage, options.csv, package_of(table));

@@ -3,6 +3,7 @@
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/outputs.h"
 #include "runs/studies/validation_entries.h"
 #include "runs/studies/validation_report.h"
 
@@ -91,6 +92,7 @@ namespace dpcontact::commands
     {
       if (options.database.empty() && options.histories.count == 0)
         throw InputError("validate: give a DATABASE, --histories, or both");
+      check_files({{options.database, options.table}, {options.csv}});
       std::optional<ContactTable> table;
       if (!options.table.empty())
         table = read_universal_table(options.table);

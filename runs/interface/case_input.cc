@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace dpcontact
 {
@@ -65,11 +66,13 @@ namespace dpcontact
     {
       const std::string   name = parameter.option();
       std::vector<double> values;
+      std::set<double>    known;
       for (const std::string &part : split_list(text))
         {
           const double value = parse_quantity(name, part, parameter.dimension);
-          if (std::find(values.begin(), values.end(), value) != values.end())
-            throw InputError(name + ": '" + part + "' stands twice in the list '" + text + "'");
+          if (!known.insert(value).second)
+            throw InputError(name + ": '" + part + "' stands twice in the list '" +
+                             (text.size() > 200 ? text.substr(0, 200) + "…" : text) + "'");
           values.push_back(value);
         }
       return values;
@@ -140,6 +143,15 @@ namespace dpcontact
     std::vector<Axis> axes;
     for (const CaseParameter &parameter : stored_parameters())
       axes.push_back(read_axis(texts, parameter));
+
+    std::size_t count = 1;
+    for (const Axis &axis : axes)
+      {
+        count *= std::max<std::size_t>(1, axis.values.size()); // either is at most 10⁶
+        if (count > largest_grid)
+          throw InputError("the lists span more than " + std::to_string(largest_grid) +
+                           " cases: shorten them, or make several grids");
+      }
 
     // An odometer: the last axis turns fastest.
     std::vector<Case>        cases;

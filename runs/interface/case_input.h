@@ -19,8 +19,12 @@ namespace dpcontact
   /// @throws InputError where one is missing, ill-typed, a list, or out of range.
   Case read_case(const SettingTexts &texts);
 
+  /// How many cases a grid may have.
+  constexpr std::size_t largest_grid = 1000000;
+
   /// The grid of all combinations, in the order of scene_settings(), the first varying slowest.
-  /// @throws InputError as read_case(), and for a repeated value.
+  /// @throws InputError as read_case(), for a repeated value, and for more than `largest_grid` cases
+  /// before any of them is made.
   std::vector<Case> read_grid(const SettingTexts &texts);
 
   /// Enters the second body that the texts describe, if any of its settings is given.

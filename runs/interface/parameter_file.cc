@@ -1,16 +1,18 @@
 #include "runs/interface/parameter_file.h"
 
+#include "database/files/regular_file.h"
 #include "meshing/errors.h"
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <memory>
 #include <regex>
 #include <sstream>
-#include <system_error>
 
 namespace dpcontact
 {
@@ -18,6 +20,14 @@ namespace dpcontact
   {
     /// Stands for an entry that a file does not set; never a valid value of a setting.
     const std::string unset = "<unset>";
+
+    /// Messages repeat what was read, which may be as long as a file; std::regex takes stack for
+    /// every character.
+    std::string shortened(const std::string &message)
+    {
+      constexpr std::size_t longest = 2000;
+      return message.size() > longest ? message.substr(0, longest) + "…" : message;
+    }
 
     /// Lets deal.II check an entry while it still knows the line.
     class SettingPattern : public dealii::Patterns::PatternBase
@@ -39,7 +49,7 @@ namespace dpcontact
           }
         catch (const InputError &error)
           {
-            *complaint = error.what();
+            *complaint = shortened(error.what());
             return false;
           }
       }
@@ -56,13 +66,22 @@ namespace dpcontact
       std::shared_ptr<std::string> complaint; ///< why the last text did not match
     };
 
+    /// White space at the ends removed, and any other run of it made one blank.
+    std::string with_single_blanks(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        result;
+      for (std::string word; words >> word;)
+        result += (result.empty() ? "" : " ") + word;
+      return result;
+    }
+
     /// deal.II's "Line <3> of file <x.prm>: some\n  paragraphs" as "x.prm:3: some paragraphs".
     std::string one_line(const dealii::ExceptionBase &exception)
     {
       std::ostringstream stream;
       exception.print_info(stream);
-      std::string text = std::regex_replace(stream.str(), std::regex("\\s+"), " ");
-      text             = std::regex_replace(text, std::regex("^ | $"), "");
+      const std::string text = shortened(with_single_blanks(stream.str()));
       return std::regex_replace(text, std::regex("Line <([0-9]+)> of file <(.*?)>: ?"), "$2:$1: ");
     }
 
@@ -72,27 +91,83 @@ namespace dpcontact
       const std::string text = one_line(exception);
       return std::regex_search(text, found, std::regex("^.*?:[0-9]+: ")) ? found.str() : "";
     }
+
+    /// How many files may include each other, and how large each may be.
+    constexpr std::size_t    deepest_include = 8;
+    constexpr std::uintmax_t largest_file    = std::uintmax_t(1) << 24;
+
+    /// deal.II's reader, which calls its own parse_input() for a file that is included.
+    class LimitedHandler : public dealii::ParameterHandler
+    {
+    public:
+      using dealii::ParameterHandler::parse_input;
+
+      void parse_input(std::istream      &input,
+                       const std::string &file,
+                       const std::string &last_line,
+                       const bool         skip_undefined) override
+      {
+        std::istringstream lines(checked_lines(input, file));
+        ++depth;
+        dealii::ParameterHandler::parse_input(lines, file, last_line, skip_undefined);
+        --depth;
+      }
+
+    private:
+      std::size_t depth = 0;
+
+      /// The lines, every entry that goes on over several joined in the first of them (the others
+      /// become empty, so that numbers of lines stay), without comments. What they include is
+      /// looked at before deal.II opens it.
+      std::string checked_lines(std::istream &input, const std::string &file) const
+      {
+        std::string result;
+        for (std::string line; std::getline(input, line);)
+          {
+            std::string entry = dealii::Utilities::trim(line), empty_lines;
+            while (!entry.empty() && entry.back() == '\\')
+              {
+                entry.pop_back();
+                if (!std::getline(input, line))
+                  break;
+                entry += dealii::Utilities::trim(line);
+                empty_lines += '\n';
+              }
+            entry = with_single_blanks(entry.substr(0, entry.find('#')));
+            if (entry.rfind("include ", 0) == 0 || entry.rfind("INCLUDE ", 0) == 0)
+              check_included(entry.substr(8), file);
+            result += entry + '\n' + empty_lines;
+          }
+        return result;
+      }
+
+      void check_included(const std::string &included, const std::string &file) const
+      {
+        if (depth >= deepest_include)
+          throw InputError(file + " includes " + included + ", which is more than " +
+                           std::to_string(deepest_include) +
+                           " files deep: does a file include itself?");
+        require_regular_file(included, largest_file);
+      }
+    };
   } // namespace
 
   SettingTexts read_parameter_file(const std::filesystem::path &file,
                                    const std::vector<Setting>  &allowed)
   {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
-      throw FileError("cannot read parameter file '" + file.string() + "': it is a directory");
+    require_regular_file(file, largest_file);
     std::ifstream input(file);
     if (!input)
-      throw FileError("cannot read parameter file '" + file.string() +
-                      "': " + std::strerror(errno));
+      throw FileError("cannot read " + file.string() + ": " + std::strerror(errno));
 
-    const auto               complaint = std::make_shared<std::string>();
-    dealii::ParameterHandler handler;
+    const auto     complaint = std::make_shared<std::string>();
+    LimitedHandler handler;
     for (const Setting &setting : allowed)
       handler.declare_entry(setting.name, unset, SettingPattern(setting, complaint), setting.help);
 
     try
       {
-        handler.parse_input(input, file.string());
+        handler.parse_input(input, file.string(), "", false);
       }
     catch (const dealii::ParameterHandler::ExcInvalidEntryForPattern &exception)
       {

@@ -2,20 +2,58 @@
 
 #include "database/files/csv.h"
 #include "database/files/files.h"
+#include "database/files/json_text.h"
+#include "database/files/regular_file.h"
 #include "database/rows/schema.h"
 #include "meshing/errors.h"
 #include "solver/laws/point.h"
 #include "solver/path/solution.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <regex>
 #include <sstream>
+#include <system_error>
 #include <unistd.h>
 
 namespace dpcontact
 {
   namespace
   {
+    // The names of what a solve writes, and of the temporary files beside them.
+    const std::string result_name =
+      "result\\.json|(curve|profile|axis|points)\\.csv|mesh\\.txt|"
+      "(peak|released)(-2)?(\\.[0-9]+)?\\.vtu|(peak|released)(-2)?\\.pvtu";
+    const std::string temporary_name = "\\.(" + result_name + ")\\..*tmp";
+
+    /// What a directory lists under names that match, sorted. Directories are not among it.
+    std::vector<std::filesystem::path> entries_like(const std::regex            &name,
+                                                    const std::filesystem::path &directory)
+    {
+      std::vector<std::filesystem::path> found;
+      std::error_code                    error;
+      for (const auto &entry : std::filesystem::directory_iterator(directory, error))
+        if (std::regex_match(entry.path().filename().string(), name) &&
+            !std::filesystem::is_directory(entry.symlink_status()))
+          found.push_back(entry.path());
+      if (error)
+        throw FileError("cannot list " + directory.string() + ": " + error.message());
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+
+    bool holds_converged_result(const std::filesystem::path &directory)
+    {
+      std::error_code ignored;
+      const auto      file = directory / "result.json";
+      if (!std::filesystem::exists(file, ignored))
+        return false;
+      require_regular_file(file);
+      const Json document = parse_json<Json>(read_file(file), file.string());
+      return !document.is_object() || document.value("status", Json()) != "failed";
+    }
+
     template <typename Column>
     std::string heading(const Column &column)
     {
@@ -103,20 +141,65 @@ namespace dpcontact
     }
   } // namespace
 
+  std::vector<std::filesystem::path> result_files_of(const std::filesystem::path &directory)
+  {
+    std::vector<std::filesystem::path> files;
+    for (const char *const name : {"axis.csv",
+                                   "curve.csv",
+                                   "mesh.txt",
+                                   "peak.vtu",
+                                   "points.csv",
+                                   "profile.csv",
+                                   "released.vtu",
+                                   "result.json"})
+      files.push_back(directory / name);
+    return files;
+  }
+
+  std::vector<std::filesystem::path> result_files_in(const std::filesystem::path &directory)
+  {
+    return entries_like(std::regex(result_name), directory);
+  }
+
   void make_result_directory(const std::filesystem::path &directory)
   {
-    std::error_code error;
+    std::error_code error, ignored;
     std::filesystem::create_directories(directory, error);
-    if (!std::filesystem::is_directory(directory))
+    if (!std::filesystem::is_directory(directory, ignored))
       throw FileError("cannot make the directory " + directory.string() + ": " +
                       (error ? error.message() : "its place is taken"));
     if (access(directory.c_str(), W_OK | X_OK) != 0)
       throw FileError("cannot write into " + directory.string() + ": " + std::strerror(errno));
   }
 
+  void see_to_old_results(const std::filesystem::path &directory, const OldResults old)
+  {
+    if (old == OldResults::remove)
+      {
+        std::error_code error;
+        for (const auto &file :
+             entries_like(std::regex(result_name + "|" + temporary_name), directory))
+          if (!std::filesystem::remove(file, error) && error)
+            throw FileError("cannot remove " + file.string() + ": " + error.message());
+        return;
+      }
+    const auto found = result_files_in(directory);
+    if (old == OldResults::keep ? holds_converged_result(directory) : !found.empty())
+      throw FileError(directory.string() + " holds results already (" +
+                      found.front().filename().string() +
+                      "): name another directory, or have them removed with --overwrite");
+  }
+
+  FieldSink fields_into(const std::filesystem::path &directory)
+  {
+    return [directory](const std::string &name, const std::string &content) {
+      write_file(directory / name, content);
+    };
+  }
+
   void write_result_files(const std::filesystem::path &directory,
                           const Solution              &solution,
-                          const Json                  &document)
+                          Json                        &document)
   {
     write_file(directory / "curve.csv", curve_csv(solution.curve));
     write_file(directory / "profile.csv", profile_csv(solution.peak_profile));
@@ -125,6 +208,27 @@ namespace dpcontact
     std::ostringstream mesh;
     print(solution.mesh_quality, mesh);
     write_file(directory / "mesh.txt", mesh.str());
-    write_file(directory / "result.json", document.dump(2) + '\n');
+    const std::filesystem::path result = directory / "result.json";
+    document["files"]                  = Json::array();
+    for (const auto &file : result_files_in(directory))
+      if (file != result)
+        document["files"].push_back(file.string());
+    document["files"].push_back(result.string());
+    write_file(result, document.dump(2) + '\n');
+  }
+
+  void write_failed_result(const std::filesystem::path &directory,
+                           const Json                  &inputs,
+                           const std::string           &reason)
+  {
+    Json document = inputs;
+    document.update(Json{{"status", "failed"}, {"reason", reason}});
+    try
+      {
+        write_file(directory / "result.json",
+                   document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+      }
+    catch (const FileError &) // as documented: the caller reports why the solve failed
+      {}
   }
 } // namespace dpcontact

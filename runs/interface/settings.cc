@@ -57,6 +57,10 @@ namespace dpcontact
 
   std::vector<std::string> split_list(const std::string &text)
   {
+    const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+    if (commas >= longest_list)
+      throw InputError("a list has " + std::to_string(commas + 1) +
+                       " values; it may have at most " + std::to_string(longest_list));
     std::vector<std::string> parts;
     std::istringstream       stream(text);
     for (std::string part; std::getline(stream, part, ',');)

@@ -1,6 +1,8 @@
 #include "runs/studies/evaluation.h"
 
 #include "database/files/files.h"
+#include "database/files/json_text.h"
+#include "database/files/regular_file.h"
 #include "database/rows/exports.h"
 #include "database/rows/row.h"
 #include "database/tables/material_table.h"
@@ -148,7 +150,51 @@ namespace dpcontact
       run("regression", [](const MaterialTable &t) { return make_regression(regress(t)); });
       return result;
     }
+
+    /// The errors of every method over the paper's material space.
+    Json held_out_of_paper(const std::vector<LookupTable>  &tables,
+                           const std::vector<LookupMethod> &methods,
+                           const Json                      &held_out)
+    {
+      Json result;
+      try
+        {
+          for (std::size_t k = 0; k < methods.size(); ++k)
+            {
+              Errors errors;
+              for (const Json &row : held_out.at("paper"))
+                {
+                  const Json        &material = row.at("material");
+                  const double       b = row.at("b"), n = row.at("n");
+                  const Values       computed{published_coefficient(row.at("a"), b),
+                                        b,
+                                        published_coefficient(row.at("m"), n),
+                                        n};
+                  const LookupResult found = tables[k].at(paper_case(material.at("E"),
+                                                                     material.at("nu"),
+                                                                     material.at("phi"),
+                                                                     material.at("sigma-c")));
+                  errors.add(relative(values_of(found.published), computed));
+                }
+              result[to_string(methods[k])] = errors.json();
+            }
+        }
+      catch (const Json::exception &error)
+        {
+          throw CorruptData(
+            std::string("the held-out curves are not as runs/studies/held_out writes them: ") +
+            error.what());
+        }
+      return result;
+    }
   } // namespace
+
+  Json read_held_out(const std::filesystem::path &file)
+  {
+    constexpr std::uintmax_t largest = std::uintmax_t(1) << 28;
+    require_regular_file(file, largest);
+    return parse_json<Json>(read_file(file), file.string());
+  }
 
   Json evaluate(const Evaluation &evaluation, const std::function<void(const std::string &)> &log)
   {
@@ -159,9 +205,7 @@ namespace dpcontact
                                             LookupMethod::table_2};
     const MaterialTable             rows = MaterialTable::from_rows(read_database(evaluation.rows));
     const UniversalTable            universal = UniversalTable::read(evaluation.universal);
-    const Json held_out = Json::parse(read_file(evaluation.held_out), nullptr, false);
-    if (held_out.is_discarded())
-      throw CorruptData(evaluation.held_out.string() + " is not JSON");
+    const Json                      held_out  = read_held_out(evaluation.held_out);
 
     Json document;
     log("regression");
@@ -204,21 +248,7 @@ namespace dpcontact
     }
 
     log("held-out materials");
-    for (std::size_t k = 0; k < methods.size(); ++k)
-      {
-        Errors errors;
-        for (const Json &row : held_out.at("paper"))
-          {
-            const Json  &material = row.at("material");
-            const double b = row.at("b"), n = row.at("n");
-            const Values computed{
-              published_coefficient(row.at("a"), b), b, published_coefficient(row.at("m"), n), n};
-            const LookupResult found = tables[k].at(paper_case(
-              material.at("E"), material.at("nu"), material.at("phi"), material.at("sigma-c")));
-            errors.add(relative(values_of(found.published), computed));
-          }
-        document["held_out"][to_string(methods[k])] = errors.json();
-      }
+    document["held_out"]   = held_out_of_paper(tables, methods, held_out);
     document["similarity"] = compare_held_out(universal, held_out);
     return document;
   }

@@ -17,6 +17,10 @@ namespace dpcontact
     std::filesystem::path held_out;  ///< curves of materials in neither (runs/studies/held_out)
   };
 
+  /// The document that runs/studies/held_out writes.
+  /// @throws FileError, InputError where it has more than 256 MiB, CorruptData where it is no JSON.
+  Json read_held_out(const std::filesystem::path &file);
+
   /// Document with `regression` (eq 19 beside table 2), `table_4` (relative errors of a, b, m, n of
   /// every method for the paper's types 1 and 2 against finite elements), `leave_one_out`,
   /// `held_out` in the paper's box (every method), `similarity` (the universal table on held-out

@@ -17,6 +17,9 @@ namespace dpcontact
       Points points;
       for (const Json &point : branch)
         points.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+      if (points.size() < 2)
+        throw CorruptData("a held-out curve has a branch of " + std::to_string(points.size()) +
+                          " points: runs/studies/held_out writes at least two");
       return points;
     }
 

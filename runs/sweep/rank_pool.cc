@@ -18,7 +18,7 @@ namespace dpcontact
     {
       tag_order = 1,
       tag_stop,
-      tag_ready,  ///< nothing but that
+      tag_ready,  ///< with what the rank was given
       tag_result, ///< of the order
       tag_failure ///< why the rank cannot work
     };
@@ -91,7 +91,8 @@ namespace dpcontact
       }
   }
 
-  bool RankPool::receive(const std::function<void(std::size_t, const std::string &text)> &on_end)
+  bool RankPool::receive(const std::function<void(std::size_t, const std::string &given)> &on_ready,
+                         const std::function<void(std::size_t, const std::string &text)>  &on_end)
   {
     const auto message = look();
     if (!message)
@@ -100,14 +101,17 @@ namespace dpcontact
     rank.state = State::idle;
     if (message->tag == tag_failure)
       throw FileError("MPI rank " + std::to_string(message->source) + ": " + message->text);
+    if (message->tag == tag_ready)
+      on_ready(message->source, message->text);
     if (message->tag == tag_result)
       on_end(rank.order, message->text);
     return true;
   }
 
-  void RankPool::run(const std::vector<std::string>                                  &orders,
-                     const RankWorker                                                &here,
-                     const std::function<void(std::size_t, const std::string &text)> &on_end)
+  void RankPool::run(const std::vector<std::string>                                   &orders,
+                     const RankWorker                                                 &here,
+                     const std::function<void(std::size_t, const std::string &given)> &on_ready,
+                     const std::function<void(std::size_t, const std::string &text)>  &on_end)
   {
     std::size_t next = 0, done = 0;
     const auto  end_order = [&](const std::size_t order, const std::string &text) {
@@ -131,7 +135,7 @@ namespace dpcontact
               send(rank, tag_order, orders[next++]);
             }
 
-        if (receive(end_order))
+        if (receive(on_ready, end_order))
           continue;
         if (!own.valid())
           std::this_thread::sleep_for(pause);
@@ -140,7 +144,7 @@ namespace dpcontact
       }
   }
 
-  void serve_ranks(const std::function<RankWorker()> &make_worker)
+  void serve_ranks(const std::function<RankStart()> &start)
   {
     const auto report = [](const Tag tag, const std::function<std::string()> &action) {
       try
@@ -156,8 +160,9 @@ namespace dpcontact
 
     RankWorker worker;
     report(tag_ready, [&] {
-      worker = make_worker();
-      return std::string();
+      RankStart begun = start();
+      worker          = std::move(begun.worker);
+      return begun.given;
     });
     for (Message message = wait(); message.tag != tag_stop; message = wait())
       report(tag_result, [&] { return worker(message.text); });

@@ -13,6 +13,13 @@ namespace dpcontact
   /// What a rank does with an order; its text goes back to rank 0.
   using RankWorker = std::function<std::string(const std::string &order)>;
 
+  /// What another rank begins with.
+  struct RankStart
+  {
+    RankWorker  worker;
+    std::string given; ///< what it was started with, for rank 0 to compare
+  };
+
   /// Rank 0's side of jobs that are computed by all ranks of an MPI job, each in its own process.
   ///
   /// Rank 0 hands out one job after another to whoever is idle, so that the ranks end together
@@ -34,12 +41,15 @@ namespace dpcontact
 
     /// Hands out all orders, the first ones first.
     /// @param here does rank 0's own share, in another thread but one order at a time.
+    /// @param on_ready is told what another rank was given before that rank has its first order. What
+    /// it throws ends the run.
     /// @param on_end runs in the calling thread when an order (its number) has been done. What it
     /// throws ends the run.
     /// @throws FileError where another rank cannot work; what `here` throws.
-    void run(const std::vector<std::string>                                  &orders,
-             const RankWorker                                                &here,
-             const std::function<void(std::size_t, const std::string &text)> &on_end);
+    void run(const std::vector<std::string>                                   &orders,
+             const RankWorker                                                 &here,
+             const std::function<void(std::size_t, const std::string &given)> &on_ready,
+             const std::function<void(std::size_t, const std::string &text)>  &on_end);
 
   private:
     enum class State
@@ -53,14 +63,15 @@ namespace dpcontact
       std::size_t order = 0; ///< what it works at
     };
 
-    bool receive(const std::function<void(std::size_t, const std::string &text)> &on_end);
+    bool receive(const std::function<void(std::size_t, const std::string &given)> &on_ready,
+                 const std::function<void(std::size_t, const std::string &text)>  &on_end);
 
     std::vector<Rank> ranks; ///< [0] is unused
   };
 
-  /// What the other ranks do until rank 0's pool ends. What `make_worker` or the worker throw
-  /// becomes an error of rank 0.
-  void serve_ranks(const std::function<RankWorker()> &make_worker);
+  /// What the other ranks do until rank 0's pool ends. What `start` or the worker throw becomes an
+  /// error of rank 0.
+  void serve_ranks(const std::function<RankStart()> &start);
 } // namespace dpcontact
 
 #endif

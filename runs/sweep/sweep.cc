@@ -1,10 +1,13 @@
 #include "runs/sweep/sweep.h"
 
+#include "database/rows/identity.h"
 #include "database/rows/row.h"
 #include "database/rows/row_json.h"
 #include "database/rows/row_store.h"
 #include "meshing/errors.h"
+#include "runs/interface/agreement.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/version.h"
 #include "runs/sweep/assembly.h"
 #include "runs/sweep/progress.h"
 #include "runs/sweep/rank_pool.h"
@@ -161,6 +164,18 @@ namespace dpcontact
       return work(sweep, {given.at("members"), given.at("wanted")}, rows);
     }
 
+    /// What all ranks must have been given alike: their orders are numbers of cases.
+    Json given_to(const Sweep &sweep)
+    {
+      Json cases = Json::array();
+      for (const Case &input : sweep.cases)
+        cases.push_back(Json(key_json(input)));
+      return {{"database", database_of_share(sweep).string()},
+              {"revision", git_revision()},
+              {"settings", Json(row_settings(sweep))},
+              {"cases", cases}};
+    }
+
     void compute_by_ranks(const Sweep            &sweep,
                           const RowStore         &rows,
                           const std::vector<Job> &unsorted,
@@ -174,6 +189,9 @@ namespace dpcontact
       ranks.run(
         orders,
         [&](const std::string &order) { return work_at(sweep, rows, order); },
+        [given = given_to(sweep)](const std::size_t rank, const std::string &text) {
+          check_agreement(Json::parse(text), rank, given);
+        },
         [&](const std::size_t order, const std::string &text) {
           report(sweep, jobs[order], nlohmann::json::parse(text), progress);
         });
@@ -252,14 +270,15 @@ namespace dpcontact
 
   void serve_sweep(const std::function<Sweep()> &read_sweep)
   {
-    serve_ranks([&]() -> RankWorker {
-      const auto sweep = std::make_shared<const Sweep>(read_sweep());
-      const auto rows  = std::make_shared<std::optional<RowStore>>();
-      return [sweep, rows](const std::string &order) {
+    serve_ranks([&]() -> RankStart {
+      const auto sweep  = std::make_shared<const Sweep>(read_sweep());
+      const auto rows   = std::make_shared<std::optional<RowStore>>();
+      const auto worker = [sweep, rows](const std::string &order) {
         if (!*rows) // only now is it certain that rank 0 has accepted the directory
           rows->emplace(database_of_share(*sweep), row_settings(*sweep), log_sweep);
         return work_at(*sweep, **rows, order);
       };
+      return {worker, given_to(*sweep).dump()};
     });
   }
 

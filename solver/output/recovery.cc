@@ -11,10 +11,11 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/data_out.h>
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
+#include <sstream>
+#include <string>
+#include <utility>
 
 namespace dpcontact
 {
@@ -129,41 +130,42 @@ namespace dpcontact
       return values;
     }
 
+    /// What a function writes to a stream.
     template <class Writer>
-    void write_file(const std::string &name, const Writer &writer)
+    std::string text_of(const Writer &writer)
     {
-      std::ofstream stream(name);
+      std::ostringstream stream;
       writer(stream);
-      stream.close();
-      if (!stream)
-        throw FileError("cannot write the fields to '" + name +
-                        "': check that the directory exists and is writable");
+      return stream.str();
     }
 
     /// Every process writes its piece, and the first one the file that names them.
     template <int dim>
     void write_pieces(const dealii::DataOut<dim> &output,
                       const Communicator         &processes,
-                      const std::string          &file)
+                      const std::string          &state,
+                      const FieldSink            &sink)
     {
       const auto piece = [&](const unsigned int rank) {
-        return file + (processes.alone() ? "" : "." + std::to_string(rank)) + ".vtu";
+        return state + (processes.alone() ? "" : "." + std::to_string(rank)) + ".vtu";
       };
-      write_file(piece(processes.rank()), [&](std::ostream &stream) { output.write_vtu(stream); });
+      sink(piece(processes.rank()),
+           text_of([&](std::ostream &stream) { output.write_vtu(stream); }));
       if (processes.alone() || processes.rank() != 0)
         return;
       std::vector<std::string> pieces;
       for (unsigned int rank = 0; rank < processes.size(); ++rank)
-        pieces.push_back(std::filesystem::path(piece(rank)).filename());
-      write_file(file + ".pvtu",
-                 [&](std::ostream &stream) { output.write_pvtu_record(stream, pieces); });
+        pieces.push_back(piece(rank));
+      sink(state + ".pvtu",
+           text_of([&](std::ostream &stream) { output.write_pvtu_record(stream, pieces); }));
     }
 
     template <int dim>
     void write_body(const ContactSystem<dim> &system,
                     const unsigned int        body,
                     const UnitSystem         &units,
-                    const std::string        &file)
+                    const std::string        &state,
+                    const FieldSink          &sink)
     {
       const auto &space = system.discretisation();
       // DataOut takes positions from the mesh: scale a copy of it and of the nodal values.
@@ -192,16 +194,18 @@ namespace dpcontact
         return cell->is_active() && first_point[cell->active_cell_index()] != none;
       });
       output.build_patches(space.dof_handler().get_fe().degree);
-      write_pieces(output, space.communicator(), file);
+      write_pieces(output, space.communicator(), state, sink);
     }
   } // namespace
 
   template <int dim>
-  void
-  write_fields(const ContactSystem<dim> &system, const UnitSystem &units, const std::string &file)
+  void write_fields(const ContactSystem<dim> &system,
+                    const UnitSystem         &units,
+                    const std::string        &state,
+                    const FieldSink          &sink)
   {
     for (unsigned int body = 0; body < system.discretisation().n_bodies(); ++body)
-      write_body(system, body, units, file + (body == 0 ? "" : "-2"));
+      write_body(system, body, units, state + (body == 0 ? "" : "-2"), sink);
   }
 
   std::vector<AxisPoint> axis_profile(const ContactSystem<2> &system, const UnitSystem &units)
@@ -267,6 +271,12 @@ namespace dpcontact
     return states;
   }
 
-  template void write_fields<2>(const ContactSystem<2> &, const UnitSystem &, const std::string &);
-  template void write_fields<3>(const ContactSystem<3> &, const UnitSystem &, const std::string &);
+  template void write_fields<2>(const ContactSystem<2> &,
+                                const UnitSystem &,
+                                const std::string &,
+                                const FieldSink &);
+  template void write_fields<3>(const ContactSystem<3> &,
+                                const UnitSystem &,
+                                const std::string &,
+                                const FieldSink &);
 } // namespace dpcontact

@@ -1,6 +1,8 @@
 #ifndef DPCONTACT_SOLVER_OUTPUT_RECOVERY_H
 #define DPCONTACT_SOLVER_OUTPUT_RECOVERY_H
 
+#include "solver/output/field_sink.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -35,17 +37,19 @@ namespace dpcontact
     laws::Branch          branch;           ///< of the load step that led here
   };
 
-  /// Writes displacement, stress, pressure, Mises stress and accumulated plastic strain of the
-  /// state last evaluated to VTU files (ParaView), in SI units and linear within each cell, from
-  /// its quadrature points: FILE.vtu; over several processes FILE.0.vtu, FILE.1.vtu and so on, and
-  /// FILE.pvtu, which names them. Of two bodies the second is in FILE-2, as the mirror image that
-  /// it is in the model.
+  /// Gives out displacement, stress, pressure, Mises stress and accumulated plastic strain of the
+  /// state last evaluated as VTU files (ParaView), in SI units and linear within each cell, from
+  /// its quadrature points: STATE.vtu; over several processes STATE.0.vtu, STATE.1.vtu and so on,
+  /// and STATE.pvtu, which names them. Of two bodies the second is in STATE-2, as the mirror image
+  /// that it is in the model.
   /// @param units of the system.
-  /// @param file without extension.
-  /// @throws FileError where the file cannot be written.
+  /// @param state what the files are called, without extension.
+  /// @param sink is given every file. @throws what it throws.
   template <int dim>
-  void
-  write_fields(const ContactSystem<dim> &system, const UnitSystem &units, const std::string &file);
+  void write_fields(const ContactSystem<dim> &system,
+                    const UnitSystem         &units,
+                    const std::string        &state,
+                    const FieldSink          &sink);
 
   /// Stresses of the first body on the axis r = 0 from the surface downwards, in SI units, by the
   /// same linear recovery, each value at the end of a cell's edge and the mean of the cells that

@@ -12,6 +12,34 @@ namespace dpcontact
     constexpr std::size_t largest_message = std::size_t(1) << 27;
 
     const MPI_Comm communicator = MPI_COMM_WORLD;
+
+    /// The values of all processes: a process's `counts[rank]` of them begin at `first[rank]`.
+    template <typename Value>
+    struct Gathered
+    {
+      std::vector<int>   counts, first;
+      std::vector<Value> values;
+    };
+
+    template <typename Value>
+    Gathered<Value>
+    gather_all(const std::vector<Value> &own, const MPI_Datatype type, const std::size_t n_ranks)
+    {
+      const int       count = static_cast<int>(own.size());
+      Gathered<Value> all{std::vector<int>(n_ranks), std::vector<int>(n_ranks, 0), {}};
+      MPI_Allgather(&count, 1, MPI_INT, all.counts.data(), 1, MPI_INT, communicator);
+      std::partial_sum(all.counts.begin(), all.counts.end() - 1, all.first.begin() + 1);
+      all.values.resize(static_cast<std::size_t>(all.first.back() + all.counts.back()));
+      MPI_Allgatherv(own.data(),
+                     count,
+                     type,
+                     all.values.data(),
+                     all.counts.data(),
+                     all.first.data(),
+                     type,
+                     communicator);
+      return all;
+    }
   } // namespace
 
   Communicator Communicator::world()
@@ -61,22 +89,19 @@ namespace dpcontact
 
   std::vector<double> Communicator::gather(const std::vector<double> &values) const
   {
+    return alone() ? values : gather_all(values, MPI_DOUBLE, n_ranks).values;
+  }
+
+  std::vector<std::string> Communicator::gather(const std::string &text) const
+  {
     if (alone())
-      return values;
-    const int        own = static_cast<int>(values.size());
-    std::vector<int> counts(n_ranks), first(n_ranks, 0);
-    MPI_Allgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-    std::partial_sum(counts.begin(), counts.end() - 1, first.begin() + 1);
-    std::vector<double> all(static_cast<std::size_t>(first.back() + counts.back()));
-    MPI_Allgatherv(values.data(),
-                   own,
-                   MPI_DOUBLE,
-                   all.data(),
-                   counts.data(),
-                   first.data(),
-                   MPI_DOUBLE,
-                   communicator);
-    return all;
+      return {text};
+    const auto all = gather_all(std::vector<char>(text.begin(), text.end()), MPI_CHAR, n_ranks);
+    std::vector<std::string> texts;
+    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+      texts.emplace_back(all.values.data() + all.first[rank],
+                         static_cast<std::size_t>(all.counts[rank]));
+    return texts;
   }
 
   double Communicator::broadcast(double value) const

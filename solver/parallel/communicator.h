@@ -2,6 +2,7 @@
 #define DPCONTACT_SOLVER_PARALLEL_COMMUNICATOR_H
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace dpcontact
@@ -27,6 +28,9 @@ namespace dpcontact
 
     /// The values of all processes one after another, on every process.
     std::vector<double> gather(const std::vector<double> &values) const;
+
+    /// The texts of all processes in the order of their ranks, on every process.
+    std::vector<std::string> gather(const std::string &text) const;
 
     /// The first process's value.
     double broadcast(double value) const;

@@ -1,11 +1,13 @@
 #include "solver/parallel/environment.h"
 
 #include "meshing/errors.h"
+#include "solver/parallel/blas_memory.h"
 
 #include <deal.II/base/multithread_info.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <mpi.h>
 #include <omp.h>
@@ -22,10 +24,39 @@ namespace dpcontact
       const char *const text = std::getenv(variable);
       return text == nullptr ? 0 : static_cast<unsigned int>(std::strtoul(text, nullptr, 10));
     }
+
+    const char threads_variable[] = "DEAL_II_NUM_THREADS";
+
+    /// The entry of the environment for deal.II's threads that set_aside_bad_threads() took out.
+    const char *bad_threads = nullptr;
+
+    bool counts_threads(const char *text)
+    {
+      const std::size_t digits = std::strspn(text, "0123456789");
+      return digits > 0 && digits < 10 && text[digits] == '\0' &&
+             std::strtol(text, nullptr, 10) > 0;
+    }
   } // namespace
+
+  void set_aside_bad_threads(char **environment)
+  {
+    constexpr std::size_t length = sizeof(threads_variable) - 1;
+    char                **kept   = environment;
+    for (char **entry = environment; *entry != nullptr; ++entry)
+      if (std::strncmp(*entry, threads_variable, length) == 0 && (*entry)[length] == '=' &&
+          !counts_threads(*entry + length + 1))
+        bad_threads = *entry;
+      else
+        *kept++ = *entry;
+    *kept = nullptr;
+  }
 
   Environment::Environment()
   {
+    if (bad_threads != nullptr)
+      throw InputError(std::string(bad_threads) + " is no number of threads: leave " +
+                       threads_variable + " out of the environment; a solve has one thread");
+    require_blas_memory();
     // One thread a process: sweeps run as many processes as there are cores.
     dealii::MultithreadInfo::set_thread_limit(1);
     // CHOLMOD asks for four threads whatever the number set; no active level leaves it one.

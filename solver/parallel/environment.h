@@ -11,6 +11,8 @@ namespace dpcontact
   class Environment
   {
   public:
+    /// @throws std::bad_alloc where there is no memory for BLAS, InputError where DEAL_II_NUM_THREADS is set to something that is no number of
+    /// threads.
     Environment();
     /// Ends MPI and PETSc where they were started.
     ~Environment();
@@ -20,6 +22,12 @@ namespace dpcontact
     /// All processes of this run: those of mpirun, or this one alone.
     Communicator world() const;
   };
+
+  /// deal.II reads DEAL_II_NUM_THREADS while it is being loaded, and ends the process where that is
+  /// no number. This takes such an entry out of the environment, for Environment to refuse it. A
+  /// program has the loader call it first of all.
+  /// @param environment ends with a null pointer; changed in place.
+  void set_aside_bad_threads(char **environment);
 
   /// Starts MPI and PETSc once a process, where they are needed; Environment ends them.
   void start_parallel_libraries();

@@ -12,7 +12,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -29,7 +28,7 @@ namespace dpcontact
       const Material      &material;
       const Scene         &scene;
       const SolverOptions &options;
-      const std::string   &fields_directory;
+      const FieldSink     &fields;
       const StepObserver  &observer;
       const Communicator  &processes;
       const Checkpoint    &checkpoint;
@@ -91,11 +90,11 @@ namespace dpcontact
     CycleEvents events_of(const ContactModel<dim> &model, const Task &task, Solution &solution)
     {
       const auto write = [&model, &task](const char *name) {
-        if (!task.fields_directory.empty())
-          write_fields(model.system(), model.units(), task.fields_directory + "/" + name);
+        if (task.fields)
+          write_fields(model.system(), model.units(), name, task.fields);
       };
       return {[&model, &task, &solution, write] {
-                enter_peak(model, !task.fields_directory.empty(), solution);
+                enter_peak(model, static_cast<bool>(task.fields), solution);
                 write("peak");
               },
               [write] { write("released"); }};
@@ -161,22 +160,11 @@ namespace dpcontact
           "surface = sphere is not modelled for two bodies that differ: take parabola");
     }
 
-    void make_directory(const std::string &directory)
-    {
-      if (directory.empty())
-        return;
-      std::error_code error;
-      std::filesystem::create_directories(directory, error);
-      if (!std::filesystem::is_directory(directory))
-        throw FileError("cannot create the directory '" + directory +
-                        "': check the path and its permissions");
-    }
-
     /// Whether Hertz's closed form is the solution.
     bool stays_elastic(const Task &task, const FirstYield &yield)
     {
       return task.options.closed_form && task.options.surface == Surface::parabola &&
-             task.fields_directory.empty() && onset_is_known(task.material) &&
+             !task.fields && onset_is_known(task.material) &&
              task.scene.force_max <= yield.onset_force();
     }
 
@@ -211,15 +199,14 @@ namespace dpcontact
   Solution solve_contact(const Material      &material,
                          const Scene         &scene,
                          const SolverOptions &options,
-                         const std::string   &fields_directory,
+                         const FieldSink     &fields,
                          const StepObserver  &observer,
                          const Communicator  &processes,
                          const Checkpoint    &checkpoint)
   {
     const auto start = std::chrono::steady_clock::now();
-    const Task task{material, scene, options, fields_directory, observer, processes, checkpoint};
+    const Task task{material, scene, options, fields, observer, processes, checkpoint};
     check_task(task);
-    make_directory(fields_directory);
     const FirstYield yield    = first_yield(material, scene);
     const bool       elastic  = stays_elastic(task, yield);
     Solution         solution = elastic ? solve_elastic(task) : solve_plastic(task, yield);

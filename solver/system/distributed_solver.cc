@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numeric>
 #include <petscksp.h>
 #include <string>
@@ -36,6 +37,8 @@ namespace dpcontact
     {
       if (code == 0)
         return;
+      if (code == PETSC_ERR_MEM)
+        throw std::bad_alloc(); // the machine's matter, not the scene's
       const char *text = nullptr;
       PetscErrorMessage(code, &text, nullptr);
       throw SolverError(std::string("PETSc could not ") + what + ": " +

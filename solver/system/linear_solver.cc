@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <new>
 #include <umfpack.h>
 
 namespace dpcontact
@@ -38,6 +39,14 @@ namespace dpcontact
     /// Smallest over largest pivot below which a matrix counts as singular. Tangents of converged
     /// states have 1e-6 and more; what rounding leaves of a mechanism has less than 1e-16.
     constexpr double least_rcond = 1e-12;
+
+    /// A machine that has not enough memory says nothing about the scene, as an error of the solver
+    /// would. @throws std::bad_alloc.
+    void require_memory(const int status, const int out_of_memory)
+    {
+      if (status == out_of_memory)
+        throw std::bad_alloc();
+    }
   } // namespace
 
   // Not in the unnamed namespace: a profile tells functions by their external names.
@@ -56,6 +65,7 @@ namespace dpcontact
         {
           const int status = common.status;
           cholmod_finish(&common);
+          require_memory(status, CHOLMOD_OUT_OF_MEMORY);
           throw SolverError("CHOLMOD could not analyse the matrix (status " +
                             std::to_string(status) + ")");
         }
@@ -75,6 +85,7 @@ namespace dpcontact
     {
       cholmod_sparse a = view(matrix);
       cholmod_factorize(&a, factor, &common);
+      require_memory(common.status, CHOLMOD_OUT_OF_MEMORY);
       return common.status == CHOLMOD_OK;
     }
 
@@ -88,7 +99,11 @@ namespace dpcontact
       rhs.xtype        = CHOLMOD_REAL;
       rhs.dtype        = CHOLMOD_DOUBLE;
       if (!cholmod_solve2(CHOLMOD_A, factor, &rhs, nullptr, &result, nullptr, &y, &e, &common))
-        throw SolverError("CHOLMOD could not solve (status " + std::to_string(common.status) + ")");
+        {
+          require_memory(common.status, CHOLMOD_OUT_OF_MEMORY);
+          throw SolverError("CHOLMOD could not solve (status " + std::to_string(common.status) +
+                            ")");
+        }
       const double *values = static_cast<const double *>(result->x);
       x.assign(values, values + b.size());
     }
@@ -134,6 +149,7 @@ namespace dpcontact
                                              &symbolic,
                                              control,
                                              nullptr);
+      require_memory(status, UMFPACK_ERROR_out_of_memory);
       if (status != UMFPACK_OK)
         throw SolverError("UMFPACK could not analyse the matrix (status " + std::to_string(status) +
                           ")");
@@ -157,6 +173,7 @@ namespace dpcontact
                                             &numeric,
                                             control,
                                             info);
+      require_memory(status, UMFPACK_ERROR_out_of_memory);
       return status == UMFPACK_OK && info[UMFPACK_RCOND] > least_rcond;
     }
 
@@ -175,6 +192,7 @@ namespace dpcontact
                                               numeric,
                                               control,
                                               nullptr);
+          require_memory(status, UMFPACK_ERROR_out_of_memory);
           if (status != UMFPACK_OK)
             throw SolverError("UMFPACK could not solve (status " + std::to_string(status) + ")");
         }

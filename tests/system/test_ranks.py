@@ -97,6 +97,27 @@ class Ranks(grids.TestCase):
                 self.assertIn(text, result.stderr)
                 self.assertEqual(result.stderr.count("dpcontact: error:"), 1, result.stderr)
 
+    def test_ranks_given_different_grids_end(self):
+        """Orders are numbers of cases: one grid's must not be taken for another's."""
+        other = self.write("other.prm", GRID.replace("1GPa", "2GPa"))
+        self.assertNotEqual(other.read_text(encoding="utf-8"), GRID)
+        ranks = [program.PROGRAM, "sweep", self.grid, "--database", "two.h5"]
+        for theirs, words in (
+                ([program.PROGRAM, "sweep", other, "--database", "two.h5"],
+                 ["cases/", "1000000000.0 on rank 0 and 2000000000.0 on rank 1"]),
+                ([*ranks, "--resolution", "13"], ["settings/", "12 on rank 0 and 13 on rank 1"]),
+                ([program.PROGRAM, "sweep", self.grid, "--database", "three.h5"],
+                 ["two.h5", "three.h5"])):
+            with self.subTest(words[0]):
+                result = subprocess.run(
+                    ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", "1", *map(str, ranks),
+                     ":", "-np", "1", *map(str, theirs)],
+                    capture_output=True, check=False, timeout=300, **self.options())
+                self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+                for word in ["were not given the same", *words]:
+                    self.assertIn(word, result.stderr)
+                self.assertFalse((self.directory / "two.h5").exists())
+
     def test_failed_rows(self):
         # nothing that weak carries the load
         grid = self.write("failing.prm", GRID.replace("20MPa, 1GPa", "1Pa, 1GPa"))

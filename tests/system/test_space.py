@@ -18,12 +18,28 @@ NUMBERS = ["a", "b", "m", "n"]
 
 
 class Space(program.TestCase):
-    def ranks(self, n, *arguments):
+    def launch(self, *arguments):
         environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1",
                        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        return subprocess.run(["mpirun", "--oversubscribe", "-np", str(n), program.PROGRAM,
-                               *arguments], stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, cwd=self.directory, env=environment)
+        return subprocess.run(["mpirun", "--oversubscribe", *arguments], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, cwd=self.directory, env=environment,
+                              timeout=600)
+
+    def ranks(self, n, *arguments):
+        return self.launch("-np", str(n), program.PROGRAM, *arguments)
+
+    def test_ranks_given_different_scenes_end(self):
+        one = [program.PROGRAM, *SMALL]
+        for theirs, word in (
+                ([*one, "--force-max", "90N"], "inputs/scene/force-max"),
+                ([*one, "--loading-steps", "8"], "inputs/options/loading-steps is 16 on rank 0 and 8 on rank 1"),
+                ([*one, "--output", "out"], "output")):
+            with self.subTest(word):
+                result = self.launch("-np", "1", *one, ":", "-np", "1", *theirs)
+                self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+                self.assertIn(word, result.stderr)
+                self.assertIn("were not given the same", result.stderr)
+                self.assertFalse((self.directory / "out").exists())
 
     def expect_same(self, one, other, relative):
         for name in NUMBERS:
