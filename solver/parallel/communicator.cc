@@ -29,7 +29,8 @@ namespace dpcontact
       Gathered<Value> all{std::vector<int>(n_ranks), std::vector<int>(n_ranks, 0), {}};
       MPI_Allgather(&count, 1, MPI_INT, all.counts.data(), 1, MPI_INT, communicator);
       std::partial_sum(all.counts.begin(), all.counts.end() - 1, all.first.begin() + 1);
-      all.values.resize(static_cast<std::size_t>(all.first.back() + all.counts.back()));
+      all.values.resize(static_cast<std::size_t>(all.first.back()) +
+                        static_cast<std::size_t>(all.counts.back()));
       MPI_Allgatherv(own.data(),
                      count,
                      type,
