@@ -379,7 +379,7 @@ class Unwritable(program.TestCase):
             self.fail_with(FILE, "solve", *TYPE_1, "--output", "plain")
             self.fail_with(FILE, "sweep", grid, "--database", "plain/table.h5")
             self.fail_with(FILE, "sweep", grid, "--database", "absent/table.h5")
-            self.fail_with(FILE, "sweep", grid, "--database", ".")
+            self.fail_with(BAD_INPUT, "sweep", grid, "--database", ".")
 
     def test_missing_database(self):
         with self.unchanged_files():
