@@ -242,6 +242,8 @@ namespace dpcontact::hdf5
   {
     const Handle access = access_to_memory();
     std::string  copy   = bytes; // HDF5 takes a pointer to what may be written
+    // A filter that the library does not have would be looked for among plugins and run.
+    require(H5PLset_loading_state(0) >= 0, "keep HDF5 from loading plugins");
     require(!copy.empty() && H5Pset_file_image(access, copy.data(), copy.size()) >= 0,
             "open the file");
     return {H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access), &H5Fclose, "open the file"};
@@ -257,11 +259,6 @@ namespace dpcontact::hdf5
       what);
     return {
       H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), &H5Gclose, what};
-  }
-
-  Handle open_group(const hid_t parent, const std::string &name)
-  {
-    return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), &H5Gclose, "open the group " + name};
   }
 
   void write_attribute(const hid_t object, const std::string &name, const std::string &text)
@@ -355,8 +352,8 @@ namespace dpcontact::hdf5
   template <typename T>
   std::vector<T> read_dataset(const hid_t group, const std::string &name)
   {
-    const std::string what = "read the dataset " + name;
-    const Handle      dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT), &H5Dclose, what);
+    const std::string what    = "read the dataset " + name;
+    const Handle      dataset = open_dataset(group, name);
     const Handle      space(H5Dget_space(dataset), &H5Sclose, what);
     const Handle      type(H5Dget_type(dataset), &H5Tclose, what);
     require(H5Sget_simple_extent_ndims(space) == 1, what);

@@ -84,12 +84,17 @@ namespace dpcontact::hdf5
     Handle                  file;
   };
 
-  /// Opens the bytes of a file for reading.
+  /// Opens the bytes of a file for reading. From then on HDF5 loads no plugins.
   Handle open_image(const std::string &bytes);
 
   /// Makes a group that lists its entries and attributes in the order of their creation.
   Handle create_group(hid_t parent, const std::string &name);
+
+  /// Only what lies in the file itself: an object that its parent holds, without a link to another
+  /// name or file; of a dataset all numbers, behind no filter but HDF5's checksum. Failure says
+  /// what else it is, before anything outside is touched.
   Handle open_group(hid_t parent, const std::string &name);
+  Handle open_dataset(hid_t parent, const std::string &name);
 
   void        write_attribute(hid_t object, const std::string &name, const std::string &text);
   void        write_attribute(hid_t object, const std::string &name, int value);
