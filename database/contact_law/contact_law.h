@@ -429,7 +429,10 @@ namespace dpcontact
 
     /// Reads CSV with the columns nu, phi_deg, load_level, approach, residual_approach, m_law and
     /// n_law in any order; other columns are ignored, and lines that begin with '#' are comments.
-    /// Every (ν, φ) must have every Λ once.
+    /// Every (ν, φ) must have every Λ once. Refused is what no contact does: an approach below
+    /// Hertz's, one or a residual that falls with Λ, n_law outside [0.9, 1.7], m_law and n_law that
+    /// do not lead from the peak to the residual, yielding below the onset; and a comment
+    /// "#   COLUMN, UNIT, …" that says another unit than 1, of phi_deg deg.
     /// @throws std::runtime_error saying what is wrong and in which line.
     static ContactTable read(std::istream &stream);
   };
@@ -447,7 +450,7 @@ namespace dpcontact
         if (!line.empty() && line.back() == '\r')
           line.pop_back();
         if (line.empty() || line.front() == '#')
-          return;
+          return check_unit(line);
         std::vector<std::string> cells;
         std::istringstream       parts(line);
         for (std::string cell; std::getline(parts, cell, ',');)
@@ -474,19 +477,27 @@ namespace dpcontact
           fail("fewer than 5 load levels");
         for (const double i : result.nu)
           for (const double k : result.phi)
-            for (const double l : result.load_level)
-              {
-                const auto found = rows.find({i, k, l});
-                if (found == rows.end())
-                  fail("there is no row for " + node({i, k, l}));
-                const Row &row = found->second;
-                if (l != result.load_level.front() && row[3] <= result.approach.back())
-                  fail("the approach does not increase at " + node(row));
-                result.approach.push_back(row[3]);
-                result.residual.push_back(row[4]);
-                result.m.push_back(row[5]);
-                result.n.push_back(row[6]);
-              }
+            {
+              const double onset = yield_scales({1, i, k, 1e-9}).onset_level;
+              for (const double l : result.load_level)
+                {
+                  const auto found = rows.find({i, k, l});
+                  if (found == rows.end())
+                    fail("there is no row for " + node({i, k, l}));
+                  const Row &row = found->second;
+                  if (l != result.load_level.front() && row[3] <= result.approach.back())
+                    fail("the approach does not increase at " + node(row));
+                  if (l != result.load_level.front() && row[4] < result.residual.back())
+                    fail("the residual approach falls at " + node(row));
+                  if (l <= onset && !is_elastic(row))
+                    fail("nothing yields, but approach, m_law or n_law is not Hertz's at " +
+                         node(row));
+                  result.approach.push_back(row[3]);
+                  result.residual.push_back(row[4]);
+                  result.m.push_back(row[5]);
+                  result.n.push_back(row[6]);
+                }
+            }
         return result;
       }
 
@@ -530,7 +541,37 @@ namespace dpcontact
             !(row[5] > 0) || !(row[6] > 0))
           fail("approach, m_law and n_law must be positive, residual_approach from 0 (but for "
                "rounding) to below approach");
+        if (row[3] < 0.98 * std::pow(row[2], 2. / 3))
+          fail("approach is below Hertz's");
+        if (row[6] < 0.9 || row[6] > 1.7)
+          fail("n_law must be from 0.9 to 1.7");
+        const double recovered = std::pow(row[2] / row[5], 1 / row[6]);
+        if (!(std::abs(row[3] - row[4] - recovered) <= 0.015 * row[3]))
+          fail("m_law and n_law do not lead from approach to residual_approach");
         return row;
+      }
+
+      /// Whether a node is Hertz's contact, but for what discretisation leaves of it.
+      static bool is_elastic(const Row &row)
+      {
+        const auto is_close = [](const double value, const double expected) {
+          return std::abs(value - expected) <= 3e-3 * expected;
+        };
+        return is_close(row[3], std::pow(row[2], 2. / 3)) && is_close(row[5], 1) &&
+               is_close(row[6], 1.5);
+      }
+
+      void check_unit(const std::string &comment) const
+      {
+        for (std::size_t c = 0; c < columns; ++c)
+          {
+            const std::string begin = "#   " + std::string(names[c]) + ", ";
+            const std::string unit  = c == 1 ? "deg, " : "1, ";
+            if (comment.compare(0, begin.size(), begin) == 0 &&
+                comment.compare(begin.size(), unit.size(), unit) != 0)
+              fail(std::string(names[c]) + " has another unit than " +
+                   unit.substr(0, unit.size() - 2));
+          }
       }
 
       /// The values that a column has in any row, ascending.

@@ -1,7 +1,6 @@
 #include "database/contact_law/law_of_case.h"
 
 #include "database/files/digest.h"
-#include "database/files/regular_file.h"
 #include "database/tables/universal_checks.h"
 #include "meshing/errors.h"
 #include "solver/closed_form/first_yield.h"
@@ -29,10 +28,8 @@ namespace dpcontact
 
   ContactTable read_universal_table(const std::string &file)
   {
-    require_regular_file(file);
     const std::string text = read_with_digest(file);
-    if (text.rfind(std::string("# ") + universal_title, 0) == 0)
-      refuse_errors(check(UniversalTable::read(file)), file);
+    refuse_errors(check_universal(file, text), file);
     std::istringstream stream(text);
     try
       {

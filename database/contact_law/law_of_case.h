@@ -11,8 +11,7 @@ namespace dpcontact
 {
   struct FirstYield;
 
-  /// A universal table, or an excerpt that has the law's columns alone. In the former
-  /// `dpcontact check` must find no error; an excerpt has not what that compares.
+  /// A universal table, or an excerpt that has the law's columns alone.
   /// @throws FileError where it cannot be read, CorruptData saying what is wrong with it.
   ContactTable read_universal_table(const std::string &file);
 

@@ -20,6 +20,12 @@ namespace dpcontact
     return lines + "\n";
   }
 
+  std::string
+  column_comment(const std::string &name, const std::string &unit, const std::string &description)
+  {
+    return "  " + name + ", " + unit + ", " + description;
+  }
+
   namespace
   {
     /// A text as a cell. Some readers take `#` for a comment wherever it stands.
@@ -144,6 +150,25 @@ namespace dpcontact
       }
     if (open)
       throw CorruptData(file + ": a quotation does not end");
+  }
+
+  void CsvTable::require_unit(const std::string &column, const std::string &unit) const
+  {
+    const std::string begin = column_comment(column, "", "").substr(0, column.size() + 4);
+    std::size_t       count = 0;
+    for (const std::string &line : comment)
+      if (line.compare(0, begin.size(), begin) == 0)
+        {
+          const std::string said =
+            line.substr(begin.size(), line.find(", ", begin.size()) - begin.size());
+          if (said != unit)
+            throw CorruptData(file + ": " + column + " is in '" + said + "', it should be in '" +
+                              unit + "'");
+          ++count;
+        }
+    if (count != 1)
+      throw CorruptData(file + ": the comments name the unit of " + column + ' ' +
+                        std::to_string(count) + " times, it should be once");
   }
 
   const std::string &CsvTable::text(const std::string &column, const std::size_t row) const

@@ -12,6 +12,10 @@ namespace dpcontact
   /// A text of any number of lines as lines that begin with `# `.
   std::string comment_lines(const std::string &text);
 
+  /// The comment that says what a column means; CsvTable::require_unit() reads it.
+  std::string
+  column_comment(const std::string &name, const std::string &unit, const std::string &description);
+
   /// How a CsvWriter writes numbers.
   struct CsvFormat
   {
@@ -86,6 +90,9 @@ namespace dpcontact
 
     /// The lines of comments, without their `# `.
     const std::vector<std::string> &comments() const { return comment; }
+
+    /// @throws CorruptData unless a comment (column_comment()) says this unit of the column.
+    void require_unit(const std::string &column, const std::string &unit) const;
 
     bool has(const std::string &column) const { return columns.count(column) == 1; }
 

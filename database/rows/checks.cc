@@ -1,5 +1,7 @@
 #include "database/rows/checks.h"
 
+#include "database/rows/exports.h"
+#include "database/rows/row_checks.h"
 #include "database/rows/schema.h"
 #include "fitting/conventions.h"
 #include "meshing/errors.h"
@@ -168,7 +170,7 @@ namespace dpcontact
           findings.add(Grade::error, where, error.what());
           return;
         }
-      const FirstYield yield = first_yield(row.input.material, row.input.scene.radius);
+      const FirstYield yield = first_yield(row.input.material, row.input.scene);
       check_yield(row, yield, where, findings);
       if (row.status != "converged" && row.status != "failed")
         findings.add(Grade::error, where, "status is '" + row.status + "'");
@@ -180,8 +182,21 @@ namespace dpcontact
       check_conventions(row, yield, where, findings);
       check_law(row, yield, where, findings);
       check_curve(row, where, findings);
+      check_fit(row, where, findings);
+      check_state(row, yield, where, findings);
     }
   } // namespace
+
+  void check_rows_said(const Provenance &provenance, const std::size_t rows, Findings &findings)
+  {
+    const auto said = provenance.find("rows");
+    if (said == provenance.end())
+      findings.add(Grade::warning, "provenance", "rows is missing");
+    else if (said->second != std::to_string(rows))
+      findings.add(Grade::error,
+                   "provenance",
+                   "it says '" + said->second + "' rows, there are " + std::to_string(rows));
+  }
 
   std::vector<Finding> check(const Database &database)
   {
@@ -193,6 +208,8 @@ namespace dpcontact
     for (const char *const name : {"version_git_revision", "solver_settings"})
       if (database.provenance.count(name) == 0)
         findings.add(Grade::warning, "provenance", std::string(name) + " is missing");
+    check_rows_said(database.provenance, database.records.size(), findings);
+    check_grid(database.records, findings);
     for (std::size_t i = 0; i < database.records.size(); ++i)
       {
         const Record     &row      = database.records[i];
@@ -211,5 +228,23 @@ namespace dpcontact
     for (auto &[key, places] : families)
       check_smooth(std::move(places), findings);
     return findings.sorted();
+  }
+
+  Database read_checked_store(const std::filesystem::path &file)
+  {
+    Database database = read_store(file);
+    refuse_errors(check(database), file);
+    for (std::size_t i = 0; i < database.records.size(); ++i)
+      if (const Record &row = database.records[i];
+          row.converged() && (row.curve.loading.empty() || row.curve.unloading.empty()))
+        throw CorruptData(file.string() + ", row " + std::to_string(i + 1) + ": it has no curve");
+    return database;
+  }
+
+  Database read_checked_database(const std::filesystem::path &file)
+  {
+    Database database = read_database(file);
+    refuse_errors(check(database), file);
+    return database;
   }
 } // namespace dpcontact

@@ -11,6 +11,14 @@
 
 namespace dpcontact
 {
+  namespace
+  {
+    std::string unit_in_csv(const schema::Column &column)
+    {
+      return column.unit.empty() ? "text" : column.unit;
+    }
+  } // namespace
+
   std::string csv_text(const Database &database)
   {
     CsvWriter csv;
@@ -22,8 +30,7 @@ namespace dpcontact
     std::vector<std::string> names;
     for (const schema::Column &column : schema::columns())
       {
-        csv.comment("  " + column.name + ", " + (column.unit.empty() ? "text" : column.unit) +
-                    ", " + column.description);
+        csv.comment(column_comment(column.name, unit_in_csv(column), column.description));
         names.push_back(column.name);
       }
     csv.header(names);
@@ -59,6 +66,8 @@ namespace dpcontact
           database.provenance[line.substr(0, colon)] = line.substr(colon + 2);
       }
     schema::check_version(file.string(), version);
+    for (const schema::Column &column : schema::columns())
+      csv.require_unit(column.name, unit_in_csv(column));
     database.records.resize(csv.rows());
     for (const auto &column : schema::columns())
       for (std::size_t i = 0; i < csv.rows(); ++i)

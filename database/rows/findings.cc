@@ -50,7 +50,8 @@ namespace dpcontact
 
   bool is_close(const double value, const double expected, const double tolerance)
   {
-    return std::abs(value - expected) <= tolerance * std::abs(expected);
+    return value == expected || (std::isfinite(expected) &&
+                                 std::abs(value - expected) <= tolerance * std::abs(expected));
   }
 
   std::string versus(const std::string &name, const double value, const double expected)

@@ -66,7 +66,7 @@ namespace dpcontact
     std::vector<Finding> list;
   };
 
-  /// |value − expected| ≤ tolerance · |expected|
+  /// |value − expected| ≤ tolerance · |expected|; of what is not finite, whether they are equal.
   bool is_close(double value, double expected, double tolerance = Findings::rounding);
 
   /// "NAME is VALUE, it should be EXPECTED"

@@ -42,6 +42,16 @@ namespace dpcontact
       write_values(group, column, values);
     }
 
+    /// @throws hdf5::Failure where the dataset is not there, or is in another unit.
+    template <typename T>
+    std::vector<T> read_values(const hid_t group, const std::string &name, const std::string &unit)
+    {
+      const std::string said = hdf5::read_text_attribute(hdf5::open_dataset(group, name), "units");
+      if (said != unit)
+        throw hdf5::Failure(name + " is in '" + said + "', it should be in '" + unit + "'");
+      return hdf5::read_dataset<T>(group, name);
+    }
+
     /// A column of all rows. T is the type of its cells.
     template <typename T>
     void write_column(const hid_t                group,
@@ -62,7 +72,7 @@ namespace dpcontact
                      const bool            first,
                      std::vector<Record>  &records)
     {
-      const auto values = hdf5::read_dataset<T>(group, column.name);
+      const auto values = read_values<T>(group, column.name, column.unit);
       if (first)
         records.resize(values.size());
       if (values.size() != records.size())
@@ -86,19 +96,21 @@ namespace dpcontact
       std::visit(act, column.get(Record()));
     }
 
-    template <typename Points, typename Member>
-    void read_member(const hid_t        group,
-                     const std::string &name,
-                     const Member       member,
-                     const bool         first,
-                     Points            &points)
+    /// @param column has a name and a unit.
+    template <typename Points, typename Column, typename Member>
+    void read_member(const hid_t   group,
+                     const Column &column,
+                     const Member  member,
+                     const bool    first,
+                     Points       &points)
     {
       using T           = decltype(value_type_of(member));
-      const auto values = hdf5::read_dataset<T>(group, name);
+      const auto values = read_values<T>(group, column.name, column.unit);
       if (first)
         points.resize(values.size());
       if (values.size() != points.size())
-        throw hdf5::Failure("the dataset " + name + " has another length than its neighbours");
+        throw hdf5::Failure(std::string("the dataset ") + column.name +
+                            " has another length than its neighbours");
       for (std::size_t i = 0; i < values.size(); ++i)
         points[i].*member = values[i];
     }
@@ -121,7 +133,7 @@ namespace dpcontact
       for (const CurveQuantity &quantity : curve_quantities())
         {
           std::visit(
-            [&](const auto member) { read_member(group, quantity.name, member, first, points); },
+            [&](const auto member) { read_member(group, quantity, member, first, points); },
             quantity.member);
           first = false;
         }
@@ -201,7 +213,7 @@ namespace dpcontact
           first                  = true;
           for (const auto &column : schema::profile_columns())
             {
-              read_member(profile, column.name, column.member, first, record.peak_profile);
+              read_member(profile, column, column.member, first, record.peak_profile);
               first = false;
             }
         }

@@ -147,13 +147,10 @@ namespace dpcontact
     content->method = method;
     if (method == LookupMethod::similarity)
       {
-        content->universal = UniversalTable::read(database);
-        refuse_errors(check(*content->universal), database);
+        content->universal = read_checked_universal(database);
         return;
       }
-    const Database rows = read_database(database);
-    refuse_errors(check(rows), database);
-    content->materials = MaterialTable::from_rows(rows);
+    content->materials = MaterialTable::from_rows(read_checked_database(database));
     content->estimator =
       method == LookupMethod::kriging             ? make_kriging(content->materials)
       : method == LookupMethod::natural_neighbour ? make_natural_neighbour(content->materials)

@@ -162,6 +162,12 @@ namespace dpcontact
                          ", in every row");
     }
 
+    /// The order of the nodes in a file.
+    bool is_before(const UniversalNode &p, const UniversalNode &q)
+    {
+      return std::tie(p.nu, p.phi_deg, p.load_level) < std::tie(q.nu, q.phi_deg, q.load_level);
+    }
+
     /// Load levels that differ by rounding only are one.
     double rounded(const double value)
     {
@@ -240,9 +246,7 @@ namespace dpcontact
     if (nodes.empty() || nodes.size() != axes[0].size() * axes[1].size() * axes[2].size())
       throw InputError("universal table: " + std::to_string(nodes.size()) +
                        " nodes are no grid of nu, phi and Lambda");
-    std::sort(nodes.begin(), nodes.end(), [](const UniversalNode &p, const UniversalNode &q) {
-      return std::tie(p.nu, p.phi_deg, p.load_level) < std::tie(q.nu, q.phi_deg, q.load_level);
-    });
+    std::sort(nodes.begin(), nodes.end(), is_before);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
         const UniversalNode &node = nodes[i];
@@ -332,8 +336,7 @@ namespace dpcontact
     std::vector<std::string> names;
     for (const UniversalColumn &column : universal_columns())
       {
-        csv.comment("  " + std::string(column.name) + ", " + column.unit + ", " +
-                    column.description);
+        csv.comment(column_comment(column.name, column.unit, column.description));
         names.emplace_back(column.name);
       }
     csv.header(names);
@@ -355,10 +358,14 @@ namespace dpcontact
 
   UniversalTable UniversalTable::read(const std::filesystem::path &file)
   {
-    const std::string text = read_with_digest(file);
-    const CsvTable    csv(file.string(), text);
+    return from_text(file.string(), read_with_digest(file));
+  }
+
+  UniversalTable UniversalTable::from_text(const std::string &name, const std::string &text)
+  {
+    const CsvTable csv(name, text);
     if (csv.comments().empty() || csv.comments().front() != universal_title)
-      throw CorruptData(file.string() + " is not a universal table of this program");
+      throw CorruptData(name + " is not a universal table of this program");
     Provenance provenance;
     for (const std::string &line : csv.comments())
       if (const auto colon = line.find(": ");
@@ -366,21 +373,26 @@ namespace dpcontact
         provenance[line.substr(0, colon)] = line.substr(colon + 2);
     std::vector<UniversalNode> nodes(csv.rows());
     for (const UniversalColumn &column : universal_columns())
+      csv.require_unit(column.name, column.unit);
+    for (const UniversalColumn &column : universal_columns())
       for (std::size_t i = 0; i < nodes.size(); ++i)
         {
           const double value = csv.number(column.name, i);
           if (!std::isfinite(value))
-            throw CorruptData(file.string() + ": " + column.name + " is not finite in row " +
+            throw CorruptData(name + ": " + column.name + " is not finite in row " +
                               std::to_string(i + 1));
           nodes[i].*column.member = value;
         }
+    const bool in_order = std::is_sorted(nodes.begin(), nodes.end(), is_before);
     try
       {
-        return UniversalTable(std::move(nodes), std::move(provenance));
+        UniversalTable table(std::move(nodes), std::move(provenance));
+        table.was_in_order = in_order;
+        return table;
       }
     catch (const InputError &error)
       {
-        throw CorruptData(file.string() + ": " + error.what());
+        throw CorruptData(name + ": " + error.what());
       }
   }
 } // namespace dpcontact

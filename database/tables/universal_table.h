@@ -68,6 +68,11 @@ namespace dpcontact
     /// grid is wrong.
     static UniversalTable read(const std::filesystem::path &file);
 
+    /// The table in the text of a file.
+    /// @param name of the file, for messages.
+    /// @throws CorruptData as read() does.
+    static UniversalTable from_text(const std::string &name, const std::string &text);
+
     /// The nodes of both tables together, so that what has been computed need not be computed again
     /// where an axis becomes denser. The provenance is that of this table, and says which revision
     /// made the other nodes.
@@ -92,12 +97,16 @@ namespace dpcontact
 
     const Provenance &made_from() const { return provenance; }
 
+    /// Whether the nodes of the text that it was read from stood in the order of write().
+    bool was_read_in_order() const { return was_in_order; }
+
   private:
     UniversalTable(std::vector<UniversalNode> nodes, Provenance provenance);
 
     std::array<std::vector<double>, 3> axes;
     std::vector<UniversalNode>         nodes;
     Provenance                         provenance;
+    bool                               was_in_order = true;
   };
 } // namespace dpcontact
 

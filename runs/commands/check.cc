@@ -23,16 +23,17 @@ namespace dpcontact::commands
       bool        json = false;
     };
 
-    bool is_universal(const std::filesystem::path &file)
+    /// A table of rows begins with its title; other tables are universal, or excerpts of one.
+    bool is_of_rows(const std::filesystem::path &file)
     {
-      return file.extension() == ".csv" &&
-             read_file(file).rfind(std::string("# ") + universal_title, 0) == 0;
+      return file.extension() != ".csv" ||
+             read_file(file).rfind(std::string("# ") + database_title, 0) == 0;
     }
 
     std::vector<Finding> findings_of(const std::filesystem::path &file)
     {
-      if (is_universal(file))
-        return check(UniversalTable::read(file));
+      if (!is_of_rows(file))
+        return check_universal(file.string(), read_with_digest(file));
       try
         {
           check_digest(file);

@@ -26,9 +26,8 @@ namespace dpcontact::commands
       Json document;
       if (options.held_out_only)
         {
-          const UniversalTable table = UniversalTable::read(options.universal);
-          refuse_errors(check(table), options.universal);
-          document = compare_held_out(table, read_held_out(options.held_out));
+          document = compare_held_out(read_checked_universal(options.universal),
+                                      read_held_out(options.held_out));
         }
       else
         document =

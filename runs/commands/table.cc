@@ -1,5 +1,5 @@
+#include "database/rows/checks.h"
 #include "database/rows/packages.h"
-#include "database/rows/store.h"
 #include "database/tables/universal_checks.h"
 #include "database/tables/universal_table.h"
 #include "runs/commands/commands.h"
@@ -27,13 +27,9 @@ namespace dpcontact::commands
       check_files(
         {{options.database, options.join}, {options.csv, options.datapackage, options.datacite}});
       UniversalTable table =
-        UniversalTable::from_rows(read_store(options.database), git_revision());
+        UniversalTable::from_rows(read_checked_store(options.database), git_revision());
       if (!options.join.empty())
-        {
-          const UniversalTable joined = UniversalTable::read(options.join);
-          refuse_errors(check(joined), options.join);
-          table = table.joined(joined);
-        }
+        table = table.joined(read_checked_universal(options.join));
       table.write(options.csv);
       if (!options.datapackage.empty())
         write_datapackage(options.datapackage, options.csv, package_of(table));

@@ -3,9 +3,10 @@
 #include "database/files/files.h"
 #include "database/files/json_text.h"
 #include "database/files/regular_file.h"
-#include "database/rows/exports.h"
+#include "database/rows/checks.h"
 #include "database/rows/row.h"
 #include "database/tables/material_table.h"
+#include "database/tables/universal_checks.h"
 #include "fitting/conventions.h"
 #include "meshing/errors.h"
 #include "solver/parallel/environment.h"
@@ -203,9 +204,9 @@ namespace dpcontact
                                             LookupMethod::natural_neighbour,
                                             LookupMethod::regression,
                                             LookupMethod::table_2};
-    const MaterialTable             rows = MaterialTable::from_rows(read_database(evaluation.rows));
-    const UniversalTable            universal = UniversalTable::read(evaluation.universal);
-    const Json                      held_out  = read_held_out(evaluation.held_out);
+    const MaterialTable  rows = MaterialTable::from_rows(read_checked_database(evaluation.rows));
+    const UniversalTable universal = read_checked_universal(evaluation.universal);
+    const Json           held_out  = read_held_out(evaluation.held_out);
 
     Json document;
     log("regression");

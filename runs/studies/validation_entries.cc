@@ -1,6 +1,7 @@
 #include "runs/studies/validation_entries.h"
 
 #include "database/contact_law/law_of_case.h"
+#include "database/rows/checks.h"
 #include "database/rows/row.h"
 #include "database/rows/store.h"
 #include "meshing/errors.h"
@@ -72,7 +73,8 @@ namespace dpcontact
                                                const std::optional<ContactTable> &table)
   {
     std::vector<ValidationEntry> result;
-    for (const Record &row : read_store(database).records)
+    const Database               checked = read_checked_store(database);
+    for (const Record &row : checked.records)
       {
         if (!row.converged())
           continue;

@@ -55,7 +55,7 @@ namespace dpcontact
 
   /// The converged rows of a database, each by the law of the row and, where the table covers the
   /// material, by the universal law.
-  /// @throws FileError, CorruptData as read_store().
+  /// @throws FileError, CorruptData as read_checked_store().
   std::vector<ValidationEntry> entries_of_rows(const std::filesystem::path       &database,
                                                const std::optional<ContactTable> &table);
 

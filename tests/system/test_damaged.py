@@ -4,6 +4,7 @@ import hashlib
 import pathlib
 import random
 import shutil
+import subprocess
 
 import grids
 import program
@@ -133,20 +134,56 @@ class Damaged(grids.TestCase):
         self.assertGreater(refused, 5)
 
     def test_a_table_of_wrong_numbers_with_a_digest_that_fits(self):
-        """What `check` grades as an error, lookup does not use."""
+        """What `check` grades as an error, no command uses."""
         content = (TABLES / "universal.csv").read_text(encoding="utf-8").splitlines()
         head = next(i for i, line in enumerate(content) if not line.startswith("#"))
         names = content[head].split(",")
+        readers = [command for command in OF_UNIVERSAL if command not in ("check {}", "evaluate --universal {}")]
         for name, wrong in [("m", "-1"), ("approach", "1e9"), ("n", "15"), ("m_law", "-1"), ("n_law", "15"),
-                            ("nu", "0.7")]:
+                            ("n_law", "1e308"), ("nu", "0.7"), ("rmse_loading", "1e308")]:
             lines = list(content)
             cells = lines[head + 500].split(",")
             cells[names.index(name)] = wrong
             lines[head + 500] = ",".join(cells)
             path = self.write("bad.csv", "\n".join(lines) + "\n")
             sign(path)
-            self.refuse(self.words("lookup --database {}", "bad.csv"), "bad.csv")
+            for command in readers:
+                self.refuse(self.words(command, "bad.csv"), "bad.csv")
             self.assertIn(self.run_program("check", "bad.csv").returncode, (CORRUPT, INCOMPLETE))
+
+    def test_an_excerpt_of_a_table_is_judged_by_what_it_has(self):
+        """Without its title and comments a table has nothing but its numbers; these must still be a contact's."""
+        content = (TABLES / "universal.csv").read_text(encoding="utf-8").splitlines()
+        lines = [line for line in content if not line.startswith("#")]
+        path = self.write("bad.csv", "\n".join(lines) + "\n")
+        sign(path)
+        self.assertIn("an excerpt", self.succeed("check", "bad.csv").stdout)
+        self.succeed(*self.words("collide --table {}", "bad.csv"))
+        cells = lines[500].split(",")
+        cells[lines[0].split(",").index("n_law")] = "15"
+        lines[500] = ",".join(cells)
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        sign(path)
+        for command in "check {}", "collide --table {}", "validate good.h5 --table {}":
+            self.refuse(self.words(command, "bad.csv"), "n_law must be from 0.9 to 1.7")
+
+    def alter(self, dataset, row, factor):
+        """Multiplies a number of good.h5 in bad.h5, by HDF5's own means, and signs it."""
+        shutil.copy(self.directory / "good.h5", self.directory / "bad.h5")
+        # Debian's interpreter has h5py.
+        subprocess.run(["/usr/bin/python3", "-c", f"import h5py; h5py.File('bad.h5', 'r+')['{dataset}'][{row}] *= {factor}"],
+                       cwd=self.directory, check=True)
+        sign(self.directory / "bad.h5")
+
+    def test_a_database_of_wrong_numbers_with_a_digest_that_fits(self):
+        self.succeed("check", "good.h5")
+        for dataset, factor in [("rows/n", 10), ("rows/plastic_volume_m3", 1e300), ("rows/m_standard_error", 10),
+                                ("rows/force_yield_N", 10), ("curves/0/loading/force", 3)]:
+            self.alter(dataset, 0, factor)
+            self.assertEqual(self.run_program("check", "bad.h5").returncode, INCOMPLETE)
+            for command in "validate {}", "table {} --csv out.csv", "lookup --method kriging --database {}", \
+                           "evaluate --rows {}":
+                self.refuse(self.words(command, "bad.h5"), "bad.h5", "`dpcontact check` lists what is wrong")
 
     def test_held_out_curves_that_are_none(self):
         for content in ["", "[1", "{}", "[]", "{\"curves\": 3}"]:

@@ -347,9 +347,13 @@ namespace
     std::ostringstream text;
     text << "# comment\nphi_deg,nu,extra,load_level,m_law,approach,n_law,residual_approach\r\n";
     for (const double nu : {0.1, 0.2})
-      for (const double level : {16., 1., 4., 2., 8.}) // in any order
-        text << "30," << nu << ",hello," << level << ",1.5," << std::pow(level, 0.7)
-             << ",1.4,0.1\n";
+      for (const double level : {16., 0.01, 4., 2., 8.}) // in any order
+        {
+          const double hertz    = std::pow(level, 2. / 3),
+                       approach = std::max(std::pow(level, 0.7), hertz);
+          text << "30," << nu << ",hello," << level << ",1," << approach << ",1.5,"
+               << approach - hertz << "\n";
+        }
     const auto read = [](const std::string &csv) {
       std::istringstream stream(csv);
       return ContactTable::read(stream);
@@ -358,7 +362,7 @@ namespace
     const ContactTable table = read(good);
     EXPECT_EQ(table.nu, (std::vector<double>{0.1, 0.2}));
     EXPECT_EQ(table.phi, std::vector<double>{30});
-    EXPECT_EQ(table.load_level, (std::vector<double>{1, 2, 4, 8, 16}));
+    EXPECT_EQ(table.load_level, (std::vector<double>{0.01, 2, 4, 8, 16}));
     EXPECT_NEAR(table.approach[table.index(1, 0, 3)], std::pow(8, 0.7), 1e-5); // six digits of text
     EXPECT_NO_THROW(ContactLaw::universal({1e9, 0.15, 30, 1e6}, table));
 
@@ -371,18 +375,28 @@ namespace
     };
     refused("", "fewer than 5");
     refused(with("load_level", "level"), "line 2: the header lacks the column 'load_level'");
-    refused(with(",1.5,", ",many,"), "line 3: 'many' is no value of m_law");
-    refused(with(",1.5,", ",nan,"), "line 3: 'nan' is no value of m_law");
-    refused(with(",1.5,", ",1.5x,"), "line 3: '1.5x' is no value of m_law");
-    refused(with(",1.5,", ",-1,"), "line 3: approach, m_law and n_law must be positive");
-    refused(with(",1.4,0.1", ",1.4,9.1"), "line 3: approach, m_law and n_law");
-    refused(with(",1.4,0.1", ",1.4"), "line 3: '' is no value of residual_approach");
+    refused(with(",16,1,", ",16,many,"), "line 3: 'many' is no value of m_law");
+    refused(with(",16,1,", ",16,nan,"), "line 3: 'nan' is no value of m_law");
+    refused(with(",16,1,", ",16,1.5x,"), "line 3: '1.5x' is no value of m_law");
+    refused(with(",16,1,", ",16,-1,"), "line 3: approach, m_law and n_law must be positive");
+    refused(with(",1.5,0.6", ",1.5,9.6"), "line 3: approach, m_law and n_law");
+    refused(with(",1.5,0.6", ",1.5,,0.6"), "line 3: '' is no value of residual_approach");
     refused(with("30,0.1", "95,0.1"), "line 3: nu, phi_deg or load_level is out of range");
-    refused(with("30,0.1,hello,16", "30,0.1,hello,1"),
-            "line 4: this nu, phi_deg and load_level stand there twice");
-    refused(with("30,0.1,hello,16", "30,0.1,hello,17"),
+    refused(good + good.substr(good.rfind("30,0.2")),
+            "line 13: this nu, phi_deg and load_level stand there twice");
+    refused(with("30,0.1,hello,16", "30,0.1,hello,16.1"),
             "there is no row for nu 0.1, phi_deg 30, load_level 16");
     refused(good.substr(0, good.rfind("30,0.2")), "there is no row for nu 0.2");
-    refused(with(",1.5,2.639", ",1.5,1.539"), "the approach does not increase at nu 0.1");
+    refused(with(",2,1,1.6245,1.5,0.0371", ",2,1,5,1.5,3.41"),
+            "the approach does not increase at nu 0.1");
+    refused(with(",2,1,1.6245,1.5,0.0371", ",2,1,2.6,1.5,1.0126"),
+            "the residual approach falls at nu 0.1");
+    refused(with(",1.5,0.6", ",15,0.6"), "line 3: n_law must be from 0.9 to 1.7");
+    refused(with(",1.5,0.6", ",1e308,0.6"), "line 3: n_law must be from 0.9 to 1.7");
+    refused(with(",16,1,", ",16,10,"), "line 3: m_law and n_law do not lead");
+    refused(with(",6.9644,", ",5,"), "line 3: approach is below Hertz's");
+    refused(with(",0.01,1,", ",0.01,1.01,"), "nothing yields, but approach, m_law or n_law");
+    refused("#   n_law, deg, exponent\n" + good, "line 1: n_law has another unit than 1");
+    refused("#   phi_deg, rad, angle\n" + good, "line 1: phi_deg has another unit than deg");
   }
 } // namespace
