@@ -43,6 +43,7 @@ namespace dpcontact::dem
     worst.flags = static_cast<unsigned int>(all);
     if (comm->me == 0)
       error->warning(FLERR, "pair_style dpcontact: the deepest contact of this run " + text(worst));
+    worst = {};
   }
 
   std::string LawLimits::text(const Contact &contact)

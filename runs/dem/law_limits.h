@@ -15,13 +15,11 @@ namespace dpcontact::dem
   public:
     using Pointers::Pointers;
 
-    void begin_run() { worst = {}; }
-
     /// Notes the contact of atoms i and j if these bits of ContactFlag say that it is beyond.
     /// The overlap is relative to the smaller radius.
     void note(unsigned int flags, double relative_overlap, int i, int j);
 
-    /// Called by all processes.
+    /// Called by all processes. What follows is another run.
     void end_run();
 
   private:

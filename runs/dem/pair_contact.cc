@@ -167,7 +167,6 @@ namespace dpcontact::dem
     for (int i = 0; i < atom->nlocal; ++i)
       largest = std::max(largest, atom->radius[i]);
     MPI_Allreduce(&largest, &largest_radius, 1, MPI_DOUBLE, MPI_MAX, world);
-    limits.begin_run();
   }
 
   double PairContact::init_one(int, int) { return 2 * largest_radius; }

@@ -227,7 +227,7 @@ class Neighbours(TestCase):
         # Into an empty box, and onto a floor of grains that are smaller.
         for floor in ("", "lattice sc 0.001\nregion floor block -0.003 0.003 -0.003 0.003 0 0.0005 units box\n"
                           "create_atoms 1 region floor\nset group all diameter 0.001\nset group all density 2600\n"
-                          "fix stay all freeze\n"):
+                          "group floor union all\nfix stay floor freeze\n"):
             with self.subTest(floor=bool(floor)):
                 output = self.output(POURED.replace("FLOOR", floor))
                 self.assertIn("placed 20", re.sub(r"\s+", " ", output))
