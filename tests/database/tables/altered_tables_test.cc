@@ -267,8 +267,7 @@ TEST_F(AlteredTables, WhatIsWrongWithRowsNoReaderTakes)
     {"newton_iterations", machine},
     {"wall_seconds", machine},
     {"peak_memory_bytes", machine},
-    {"dilation_deg", flow},
-    {"hardening_Pa", flow}};
+    {"dilation_deg", flow}};
   change_all(sheet, {1, 9, 18}, reasons, [&](const std::string &) {
     const Grade grade = worst([&] { return check(read_database(file)); });
     EXPECT_EQ(throws_corrupt_data([&] { read_checked_database(file); }), grade == Grade::error);

@@ -68,7 +68,9 @@ namespace dpcontact
       std::mt19937               random(20181127);
       std::normal_distribution<> normal;
       std::string                text = "# dpcontact: universal table of elastic-plastic contact\n";
-      std::string                separator;
+      for (const UniversalColumn &column : universal_columns())
+        text += std::string("#   ") + column.name + ", " + column.unit + ", made up\n";
+      std::string separator;
       for (const UniversalColumn &column : universal_columns())
         {
           text += separator + column.name;
