@@ -8,16 +8,18 @@
 #include <fcntl.h>
 #include <string>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /// Makes calls of the C library fail in the test that includes it: its functions stand before the
-/// library's. One source of a program may include it.
+/// library's. One source of a program may include it, or of a library that is loaded before a
+/// program (failing_calls.cc).
 namespace dpcontact::testing_faults
 {
   inline std::string armed;
   inline int         first = 0, seen = 0, reason = 0;
 
-  /// @param call "open" (of new files), "write", "fsync", "close", "flock" or "rename".
+  /// @param call "open" (of new files), "write" (to files), "fsync", "close", "flock" or "rename".
   /// @param when the first call that fails, counted from 1; every later one fails as well.
   /// @param error the value of errno; 0 ends the process with code 99 instead of the call.
   inline void arm(const std::string &call, const int when, const int error)
@@ -42,6 +44,12 @@ namespace dpcontact::testing_faults
     return true;
   }
 
+  inline bool is_regular_file(const int descriptor)
+  {
+    struct stat state = {};
+    return ::fstat(descriptor, &state) == 0 && S_ISREG(state.st_mode);
+  }
+
   /// The library's own function.
   template <typename Function>
   Function *next(const char *const name)
@@ -56,7 +64,9 @@ extern "C"
   {
     using namespace dpcontact::testing_faults;
     static const auto call = next<ssize_t(int, const void *, size_t)>("write");
-    return descriptor > 2 && fails("write") ? -1 : call(descriptor, data, size);
+    return descriptor > 2 && is_regular_file(descriptor) && fails("write")
+             ? -1
+             : call(descriptor, data, size);
   }
 
   int fsync(const int descriptor)

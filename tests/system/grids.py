@@ -33,6 +33,11 @@ def read_table(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def children_of(process):
+    path = pathlib.Path(f"/proc/{process}/task/{process}/children")
+    return [int(child) for child in path.read_text(encoding="utf-8").split()]
+
+
 def processes_of(text):
     """Processes with this text in their command line."""
     found = []

@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-import pathlib
 import random
 import resource
 import shutil
@@ -14,11 +13,6 @@ import grids
 import program
 from grids import GRID, SLOW_GRID, read_table
 from program import BAD_INPUT, CORRUPT, FILE, INTERNAL, MISMATCH, SUCCESS
-
-
-def children_of(process):
-    path = pathlib.Path(f"/proc/{process}/task/{process}/children")
-    return [int(child) for child in path.read_text(encoding="utf-8").split()]
 
 
 class Sweep(grids.TestCase):
@@ -80,7 +74,7 @@ class Sweep(grids.TestCase):
     def test_worker_that_is_killed_is_replaced_and_no_row_fails(self):
         with self.start("table.h5") as process:
             process.stderr.readline()
-            while not (children := children_of(process.pid)):
+            while not (children := grids.children_of(process.pid)):
                 time.sleep(0.001)
             os.kill(children[0], signal.SIGKILL)
             log = process.stderr.read()
@@ -93,7 +87,7 @@ class Sweep(grids.TestCase):
         with self.start("table.h5") as process:
             while process.poll() is None:
                 with contextlib.suppress(OSError):
-                    for child in children_of(process.pid):
+                    for child in grids.children_of(process.pid):
                         os.kill(child, signal.SIGKILL)
             log = process.stderr.read()
         self.assertEqual(process.returncode, INTERNAL, log)
