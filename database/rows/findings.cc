@@ -63,6 +63,11 @@ namespace dpcontact
   {
     constexpr double                widest_gap = 3; ///< of ln Λ
     constexpr std::array<double, 4> limits{.06, .03, .15, .04};
+    // Of a load level that is not positive there is no logarithm to sort by; its range says so.
+    places.erase(std::remove_if(places.begin(),
+                                places.end(),
+                                [](const PlaceOnCurve &p) { return !std::isfinite(p.log_level); }),
+                 places.end());
     std::sort(places.begin(), places.end(), [](const PlaceOnCurve &p, const PlaceOnCurve &q) {
       return p.log_level < q.log_level;
     });
