@@ -55,8 +55,7 @@ namespace dpcontact
 
     /// Contact radius and pressure at the peak against Hertz's of the same load. The bounds are
     /// found, not derived: wide enough for a coarse mesh, and narrow enough for a lost digit or
-    /// unit. What lies outside is a warning, as scenes far beyond first yield may: of 48 rows of
-    /// Mohr–Coulomb's criterion one has 6.8 for a²/(R* δ).
+    /// unit. What lies outside is a warning.
     void check_peak(const Record      &row,
                     const FirstYield  &yield,
                     const std::string &where,
@@ -64,8 +63,9 @@ namespace dpcontact
     {
       const double radius = row.state.contact_radius_peak;
       const double hertz  = yield.contact_radius * std::cbrt(row.load_level);
-      // Yielding spreads the contact; a²/(R* δ) is 1 after Hertz, and 1.75 at most over the shipped
-      // rows, where material piles up at the edge.
+      // Yielding spreads the contact; a²/(R* δ) is 1 after Hertz, 1.75 at most over the shipped
+      // rows, where material piles up at the edge, and 6.8 over rows far beyond first yield
+      // (E 10 GPa, σc 5 MPa, 3 kN, Mohr–Coulomb φ = 30°, resolution 12).
       require_within(Grade::warning,
                      "contact_radius_peak_m over Hertz's",
                      radius / hertz,
@@ -78,7 +78,7 @@ namespace dpcontact
                      "a^2/(R* delta) at the peak",
                      radius * radius / (effective * row.state.approach_peak),
                      0.6,
-                     3,
+                     10,
                      where,
                      findings);
       // The largest pressure is at least the mean one, and 3/2 of it after Hertz.
