@@ -116,6 +116,22 @@ namespace dpcontact
                      1,
                      where,
                      findings);
+      // Within a body there is no more than the body, and small strains are far from 100.
+      constexpr double most_strain = 100;
+      require_within(Grade::error,
+                     "plastic_volume_m3 over a sphere's volume",
+                     state.plastic_volume / (4. / 3 * pi * std::pow(row.input.scene.radius, 3)),
+                     0,
+                     1,
+                     where,
+                     findings);
+      require_within(Grade::error,
+                     "plastic_strain_max",
+                     state.plastic_strain_max,
+                     0,
+                     most_strain,
+                     where,
+                     findings);
       // 5 contact radii across at most over the shipped rows.
       require_within(Grade::warning,
                      "plastic_volume_m3 over a half-ball of 20 contact radii",

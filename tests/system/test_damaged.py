@@ -167,19 +167,20 @@ class Damaged(grids.TestCase):
         for command in "check {}", "collide --table {}", "validate good.h5 --table {}":
             self.refuse(self.words(command, "bad.csv"), "n_law must be from 0.9 to 1.7")
 
-    def alter(self, dataset, row, factor):
+    def alter(self, dataset, place, factor):
         """Multiplies a number of good.h5 in bad.h5, by HDF5's own means, and signs it."""
         shutil.copy(self.directory / "good.h5", self.directory / "bad.h5")
         # Debian's interpreter has h5py.
-        subprocess.run(["/usr/bin/python3", "-c", f"import h5py; h5py.File('bad.h5', 'r+')['{dataset}'][{row}] *= {factor}"],
+        subprocess.run(["/usr/bin/python3", "-c", f"import h5py; h5py.File('bad.h5', 'r+')['{dataset}'][{place}] *= {factor}"],
                        cwd=self.directory, check=True)
         sign(self.directory / "bad.h5")
 
     def test_a_database_of_wrong_numbers_with_a_digest_that_fits(self):
         self.succeed("check", "good.h5")
-        for dataset, factor in [("rows/n", 10), ("rows/plastic_volume_m3", 1e300), ("rows/m_standard_error", 10),
-                                ("rows/force_yield_N", 10), ("curves/0/loading/force", 3)]:
-            self.alter(dataset, 0, factor)
+        for dataset, place, factor in [("rows/n", 0, 10), ("rows/plastic_volume_m3", 0, 1e300),
+                                       ("rows/m_standard_error", 0, 10), ("rows/force_yield_N", 0, 10),
+                                       ("curves/0/loading/force", 5, 3)]:
+            self.alter(dataset, place, factor)
             self.assertEqual(self.run_program("check", "bad.h5").returncode, INCOMPLETE)
             for command in "validate {}", "table {} --csv out.csv", "lookup --method kriging --database {}", \
                            "evaluate --rows {}":
