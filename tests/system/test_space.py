@@ -31,8 +31,9 @@ class Space(program.TestCase):
     def test_ranks_given_different_scenes_end(self):
         one = [program.PROGRAM, *SMALL]
         for theirs, word in (
-                ([*one, "--force-max", "90N"], "inputs/scene/force-max"),
-                ([*one, "--loading-steps", "8"], "inputs/options/loading-steps is 16 on rank 0 and 8 on rank 1"),
+                ([*one, "--force-max", "90N"], "inputs/scene/force_max is 100.0 on rank 0 and 90.0 on rank 1"),
+                (["32" if word == "16" else word for word in one],
+                 "inputs/options/loading-steps is 16 on rank 0 and 32 on rank 1"),
                 ([*one, "--output", "out"], "output")):
             with self.subTest(word):
                 result = self.launch("-np", "1", *one, ":", "-np", "1", *theirs)
