@@ -24,7 +24,7 @@ namespace dpcontact
     using Corner = dealii::Point<3>;
 
     /// Transfinite blocks of the open gmsh model that share their points, lines and faces.
-    class Blocks
+    class FrameBlocks
     {
     public:
       /// @param corners numbered lexicographically, as deal.II's; @param cells along each direction.
@@ -164,7 +164,7 @@ namespace dpcontact
     };
     {
       const GmshSession gmsh_session;
-      Blocks            blocks;
+      FrameBlocks       blocks;
       for (const auto &[p, cells, others] : parts)
         {
           std::array<Corner, 8> core, floor;

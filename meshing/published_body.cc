@@ -16,7 +16,7 @@ namespace dpcontact
   {
     /// Quarter of the core of 14 × 16: its half sides in elements, along which 15 of 60 segments
     /// stand.
-    constexpr unsigned int kite_cells[2] = {8, 7};
+    constexpr unsigned int published_kite_cells[2] = {8, 7};
 
     /// Radius, m, that lies `elements` outwards from the axis on θ = 0.
     double
@@ -52,10 +52,10 @@ namespace dpcontact
 
     const std::array<unsigned int, 3> zones    = published.radial_elements();
     const unsigned int                elements = zones[0] + zones[1] + zones[2];
-    const Frame                       frame    = {kite_cells[0],
-                                                  kite_cells[1],
-                                                  kite_cells[0],
-                                                  elements - kite_cells[0],
+    const Frame                       frame    = {published_kite_cells[0],
+                                                  published_kite_cells[1],
+                                                  published_kite_cells[0],
+                                                  elements - published_kite_cells[0],
                                                   PublishedMesh::layers,
                                                   0};
     make_frame(frame, mesh);
@@ -64,9 +64,10 @@ namespace dpcontact
     mesh.refine_global(published.refinements);
 
     // All segments are 6 degrees: the core's corner stands after 7 of 15.
-    const double     kite_radius = kite_cells[0] * PublishedMesh::radial_size[0];
+    const double     kite_radius = published_kite_cells[0] * PublishedMesh::radial_size[0];
     const SectionMap section     = {M_PI / 2,
-                                    M_PI / 2 * kite_cells[1] / (kite_cells[0] + kite_cells[1]),
+                                    M_PI / 2 * published_kite_cells[1] /
+                                      (published_kite_cells[0] + published_kite_cells[1]),
                                     kite_radius,
                                     2 * kite_radius};
     const double     q           = PublishedMesh::layer_ratio();

@@ -25,18 +25,18 @@ namespace dpcontact
 
     /// Coarse cells along the kite's side, of which 2^halvings fine ones make one.
     unsigned int
-    kite_cells(const double angle, const unsigned int resolution, const unsigned int halvings)
+    wedge_kite_cells(const double angle, const unsigned int resolution, const unsigned int halvings)
     {
       const double fine = angle / 2 / longest_around * resolution;
       return static_cast<unsigned int>(std::ceil(fine / (1u << halvings) - 1e-9));
     }
 
     /// As many as leave a quarter's kite two cells wide or wider and small enough.
-    unsigned int number_of_halvings(const unsigned int resolution)
+    unsigned int wedge_halvings(const unsigned int resolution)
     {
       for (const unsigned int halvings : {3u, 2u, 1u})
         {
-          const unsigned int cells = kite_cells(M_PI / 2, resolution, halvings);
+          const unsigned int cells = wedge_kite_cells(M_PI / 2, resolution, halvings);
           if (cells >= 2 && cells * (1u << halvings) <= largest_kite * resolution)
             return halvings;
         }
@@ -131,14 +131,14 @@ namespace dpcontact
     require(zones.octaves == 0, what, "octaves", zones.octaves, "0 in space");
 
     const double       wedge    = is(M_PI / 4) ? M_PI / 4 : M_PI / 2;
-    const unsigned int halvings = number_of_halvings(zones.resolution);
+    const unsigned int halvings = wedge_halvings(zones.resolution);
     const double       block    = static_cast<double>(1u << halvings) / zones.resolution;
     const auto core_cells = static_cast<unsigned int>(std::ceil(zones.contact_zone / block - 1e-9));
     const double core     = core_cells * block;
     // Shells 1.6 times as wide as the one within are about as wide as a sixteenth of their circle.
     const double growth =
       std::min(std::max(1.6, zones.growth), std::pow(zones.growth, 40. / zones.resolution));
-    const unsigned int kite  = kite_cells(wedge, zones.resolution, halvings);
+    const unsigned int kite  = wedge_kite_cells(wedge, zones.resolution, halvings);
     const Frame        frame = {
              kite,
              kite,

@@ -3,7 +3,7 @@
 #include "database/rows/uncertainty.h"
 #include "fitting/curve_fit.h"
 #include "solver/closed_form/first_yield.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 #include "solver/path/solution.h"
 
 #include <cmath>

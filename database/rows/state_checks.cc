@@ -1,6 +1,6 @@
 #include "database/rows/row_checks.h"
 #include "meshing/number_text.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 
 #include <cmath>
 #include <utility>

@@ -141,7 +141,9 @@ namespace dpcontact
     result.law_exponent    = published.n;
   }
 
-  LookupTable::LookupTable(const LookupMethod method, const std::filesystem::path &database)
+  LookupTable::LookupTable(const LookupMethod           method,
+                           const std::filesystem::path &database,
+                           const EstimatorMaker         make)
     : content(std::make_unique<Content>())
   {
     content->method = method;
@@ -151,11 +153,12 @@ namespace dpcontact
         return;
       }
     content->materials = MaterialTable::from_rows(read_checked_database(database));
-    content->estimator =
-      method == LookupMethod::kriging             ? make_kriging(content->materials)
-      : method == LookupMethod::natural_neighbour ? make_natural_neighbour(content->materials)
-      : method == LookupMethod::regression        ? make_regression(regress(content->materials))
-                                                  : make_regression(table_2());
+    if (method == LookupMethod::table_2)
+      content->estimator = make_regression(table_2());
+    else if (make != nullptr)
+      content->estimator = make(method, content->materials);
+    else
+      throw InputError(std::string("method ") + to_string(method) + " needs make_estimator()");
   }
   LookupTable::~LookupTable()                       = default;
   LookupTable::LookupTable(LookupTable &&) noexcept = default;

@@ -70,12 +70,21 @@ namespace dpcontact
     std::vector<CurvePoint> loading; ///< of similarity the master curve
   };
 
+  class MaterialMethod;
+  struct MaterialTable;
+
+  /// Makes what estimates between the rows of a table: make_estimator() (estimators.h).
+  using EstimatorMaker = std::unique_ptr<MaterialMethod> (*)(LookupMethod, const MaterialTable &);
+
   /// A table ready to be asked.
   class LookupTable
   {
   public:
     /// @throws FileError, and CorruptData where the table does not pass its checks.
-    LookupTable(LookupMethod method, const std::filesystem::path &database);
+    /// @param make needed for kriging, natural neighbours and the regression alone.
+    LookupTable(LookupMethod                 method,
+                const std::filesystem::path &database,
+                EstimatorMaker               make = nullptr);
     ~LookupTable();
     LookupTable(LookupTable &&) noexcept;
 

@@ -93,6 +93,9 @@ namespace dpcontact
 
     /// a, b, m, n in the published convention.
     std::array<double, 4> at(const MaterialPoint &point) const;
+
+    /// What C₀ to C₆ are multiplied by.
+    static std::array<double, 7> terms_at(const MaterialPoint &point);
   };
 
   /// The names of the seven terms.

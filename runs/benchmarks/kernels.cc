@@ -3,6 +3,7 @@
 // that have yielded flow.
 #include "fitting/curve_fit.h"
 #include "meshing/zoned_mesh.h"
+#include "solver/laws/strengths.h"
 #include "solver/parallel/environment.h"
 #include "solver/path/load_path.h"
 #include "solver/path/solution.h"

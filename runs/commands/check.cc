@@ -17,7 +17,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct CheckOptions
     {
       std::string database;
       bool        json = false;
@@ -50,7 +50,7 @@ namespace dpcontact::commands
       return check(read_database(file));
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const CheckOptions &options)
     {
       check_files({{options.database}, {}});
       const std::vector<Finding> findings = findings_of(options.database);
@@ -79,15 +79,13 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_check(CLI::App &program, Action &action)
+  void add_check(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "check", "Checks the data of a database; exit code 8 where a row is wrong");
+    const auto options = std::make_shared<CheckOptions>();
     command
-      ->add_option("DATABASE", options->database, "HDF5 file, CSV of an export, or universal table")
+      .add_option("DATABASE", options->database, "HDF5 file, CSV of an export, or universal table")
       ->required();
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

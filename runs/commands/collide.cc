@@ -16,7 +16,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct CollideOptions
     {
       SettingTexts        texts;
       std::string         parameter_file, table, radius_2;
@@ -26,7 +26,7 @@ namespace dpcontact::commands
       bool                json  = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const CollideOptions &options)
     {
       check_files({{options.table, options.parameter_file}, {}});
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
@@ -76,31 +76,29 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_collide(CLI::App &program, Action &action)
+  void add_collide(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "collide", "Two spheres meet head on: the contact law integrated from touch to separation");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    const auto options = std::make_shared<CollideOptions>();
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
     command
-      ->add_option("--radius-2", options->radius_2, "radius of the second sphere [the first's]")
+      .add_option("--radius-2", options->radius_2, "radius of the second sphere [the first's]")
       ->type_name("");
-    command->add_option("--density", options->density, "of both, kg/m3")->required()->type_name("");
-    command->add_option("--velocity", options->velocity, "of approach, m/s")
+    command.add_option("--density", options->density, "of both, kg/m3")->required()->type_name("");
+    command.add_option("--velocity", options->velocity, "of approach, m/s")
       ->required()
       ->type_name("");
-    command->add_option("--table", options->table, "universal table, for the universal law")
+    command.add_option("--table", options->table, "universal table, for the universal law")
       ->type_name("FILE.csv");
     command
-      ->add_option(
+      .add_option(
         "--row", options->row, "a,b,m,n of the consistent convention, for the law of a row")
       ->delimiter(',')
       ->expected(4)
       ->type_name("");
-    command->add_option("--steps", options->steps, "about so many over the collision [20000]")
+    command.add_option("--steps", options->steps, "about so many over the collision [20000]")
       ->type_name("N");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

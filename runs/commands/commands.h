@@ -14,23 +14,25 @@ namespace dpcontact::commands
   /// What the chosen subcommand does once the whole command line has been understood.
   using Action = std::function<ExitCode()>;
 
-  /// Each adds one subcommand that sets `action` when it is chosen.
-  void add_yield(CLI::App &program, Action &action);
-  void add_yield_surface(CLI::App &program, Action &action);
-  void add_solve(CLI::App &program, Action &action);
-  void add_converge(CLI::App &program, Action &action);
-  void add_compare(CLI::App &program, Action &action);
-  void add_sweep(CLI::App &program, Action &action);
-  void add_merge(CLI::App &program, Action &action);
-  void add_fit(CLI::App &program, Action &action);
-  void add_lookup(CLI::App &program, Action &action);
-  void add_evaluate(CLI::App &program, Action &action);
-  void add_check(CLI::App &program, Action &action);
-  void add_table(CLI::App &program, Action &action);
-  void add_export(CLI::App &program, Action &action);
-  void add_hard_cases(CLI::App &program, Action &action);
-  void add_validate(CLI::App &program, Action &action);
-  void add_collide(CLI::App &program, Action &action);
+  /// Gives a subcommand its options, and sets `action` when it is chosen.
+  using AddOptions = void (*)(CLI::App &command, Action &action);
+
+  void add_yield(CLI::App &command, Action &action);
+  void add_yield_surface(CLI::App &command, Action &action);
+  void add_solve(CLI::App &command, Action &action);
+  void add_converge(CLI::App &command, Action &action);
+  void add_sweep(CLI::App &command, Action &action);
+  void add_merge(CLI::App &command, Action &action);
+  void add_fit(CLI::App &command, Action &action);
+  void add_lookup(CLI::App &command, Action &action);
+  void add_evaluate(CLI::App &command, Action &action);
+  void add_check(CLI::App &command, Action &action);
+  void add_table(CLI::App &command, Action &action);
+  void add_export(CLI::App &command, Action &action);
+  void add_hard_cases(CLI::App &command, Action &action);
+  void add_compare(CLI::App &command, Action &action);
+  void add_validate(CLI::App &command, Action &action);
+  void add_collide(CLI::App &command, Action &action);
 } // namespace dpcontact::commands
 
 #endif

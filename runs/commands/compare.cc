@@ -14,13 +14,13 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct CompareOptions
     {
       std::string database, other, csv;
       bool        json = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const CompareOptions &options)
     {
       check_files({{options.database, options.other}, {options.csv}});
       const Database one = read_store(options.database), other = read_store(options.other);
@@ -76,17 +76,14 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_compare(CLI::App &program, Action &action)
+  void add_compare(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "compare", "Coefficients of one database against those of another, row by row");
-    command->add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
-    command->add_option("OTHER", options->other, "HDF5 file of another, with the same rows")
+    const auto options = std::make_shared<CompareOptions>();
+    command.add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
+    command.add_option("OTHER", options->other, "HDF5 file of another, with the same rows")
       ->required();
-    command->add_option("--csv", options->csv, "report to write, one line a row")
-      ->type_name("FILE");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    command.add_option("--csv", options->csv, "report to write, one line a row")->type_name("FILE");
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

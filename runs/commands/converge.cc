@@ -17,7 +17,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct ConvergeOptions
     {
       SettingTexts texts;
       std::string  parameter_file;
@@ -128,7 +128,7 @@ namespace dpcontact::commands
                       [](const ErrorParts &e) { return e.total(); }));
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const ConvergeOptions &options)
     {
       const SettingTexts texts =
         merged(options.parameter_file, scene_settings() + solver_settings(), options.texts);
@@ -146,15 +146,13 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_converge(CLI::App &program, Action &action)
+  void add_converge(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "converge", "The error of each coefficient by source, from at least three levels of each");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
-    add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    const auto options = std::make_shared<ConvergeOptions>();
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(command, solver_settings(), options->texts, "Solver");
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

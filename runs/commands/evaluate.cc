@@ -11,7 +11,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct EvaluateOptions
     {
       std::string rows          = default_database(LookupMethod::kriging).string();
       std::string universal     = default_database(LookupMethod::similarity).string();
@@ -20,7 +20,7 @@ namespace dpcontact::commands
       bool        json          = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const EvaluateOptions &options)
     {
       check_files({{options.rows, options.universal, options.held_out}, {}});
       Json document;
@@ -41,21 +41,18 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_evaluate(CLI::App &program, Action &action)
+  void add_evaluate(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "evaluate", "The paper's evaluation: regression, table 4, and how wrong every method is");
-    command->add_option("--rows", options->rows, "the paper's 162 rows")->type_name("FILE");
-    command->add_option("--universal", options->universal, "the universal table")
-      ->type_name("FILE");
+    const auto options = std::make_shared<EvaluateOptions>();
+    command.add_option("--rows", options->rows, "the paper's 162 rows")->type_name("FILE");
+    command.add_option("--universal", options->universal, "the universal table")->type_name("FILE");
     command
-      ->add_option("--held-out", options->held_out, "curves that runs/studies/held_out computed")
+      .add_option("--held-out", options->held_out, "curves that runs/studies/held_out computed")
       ->type_name("FILE");
-    command->add_flag("--held-out-only",
-                      options->held_out_only,
-                      "only the universal table on the held-out materials, as JSON with every row");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    command.add_flag("--held-out-only",
+                     options->held_out_only,
+                     "only the universal table on the held-out materials, as JSON with every row");
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

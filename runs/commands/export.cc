@@ -13,14 +13,14 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct ExportOptions
     {
       std::string database;
       std::string csv, datapackage, xlsx, json_table, datacite;
       bool        json = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const ExportOptions &options)
     {
       if (!options.datapackage.empty() && options.csv.empty())
         throw InputError("export: --datapackage describes the file of --csv: give that too");
@@ -66,14 +66,12 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_export(CLI::App &program, Action &action)
+  void add_export(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("export", "The table of a database in other formats");
-    command->add_option("DATABASE", options->database, "HDF5 file of a sweep, or CSV of an export")
+    const auto options = std::make_shared<ExportOptions>();
+    command.add_option("DATABASE", options->database, "HDF5 file of a sweep, or CSV of an export")
       ->required();
-    CLI::Option_group *const formats = command->add_option_group("Formats", "at least one of them");
+    CLI::Option_group *const formats = command.add_option_group("Formats", "at least one of them");
     formats->require_option(1, 0);
     const auto file = [&](const char *name, std::string &target, const char *help) {
       formats->add_option(name, target, help)->type_name("FILE");
@@ -83,7 +81,7 @@ namespace dpcontact::commands
     file("--xlsx", options->xlsx, "spreadsheet");
     file("--json-table", options->json_table, "JSON");
     file("--datacite", options->datacite, "DataCite metadata");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

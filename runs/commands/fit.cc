@@ -18,7 +18,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct FitOptions
     {
       std::string database;
       bool        write = false;
@@ -81,7 +81,7 @@ namespace dpcontact::commands
       write_store(file, database);
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const FitOptions &options)
     {
       check_files({{options.database}, {}});
       const auto beside   = options.write ? rows_beside(options.database) : std::nullopt;
@@ -143,15 +143,13 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_fit(CLI::App &program, Action &action)
+  void add_fit(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("fit", "Fits the curves of a database again and compares");
-    command->add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
-    command->add_flag(
+    const auto options = std::make_shared<FitOptions>();
+    command.add_option("DATABASE", options->database, "HDF5 file of a sweep")->required();
+    command.add_flag(
       "--write", options->write, "store the new coefficients in the database and in its rows");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

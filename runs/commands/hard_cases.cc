@@ -15,7 +15,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct HardCasesOptions
     {
       std::vector<std::string> names;
       bool                     list = false;
@@ -101,7 +101,7 @@ namespace dpcontact::commands
               {"wall_seconds", result.seconds}};
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const HardCasesOptions &options)
     {
       const std::vector<HardCase> cases = chosen(options.names);
       if (options.list)
@@ -139,14 +139,12 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_hard_cases(CLI::App &program, Action &action)
+  void add_hard_cases(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "hard-cases", "Scenes at the edge of what the solver is for, and what became of each");
-    command->add_option("NAME", options->names, "cases to run; none: all");
-    command->add_flag("--list", options->list, "say what the cases are, and do nothing");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    const auto options = std::make_shared<HardCasesOptions>();
+    command.add_option("NAME", options->names, "cases to run; none: all");
+    command.add_flag("--list", options->list, "say what the cases are, and do nothing");
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

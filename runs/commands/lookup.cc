@@ -2,6 +2,7 @@
 #include "meshing/errors.h"
 #include "runs/commands/commands.h"
 #include "runs/commands/options.h"
+#include "runs/commands/solver_parts.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/lookup_documents.h"
 #include "runs/interface/outputs.h"
@@ -14,7 +15,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct LookupOptions
     {
       SettingTexts texts;
       std::string  parameter_file;
@@ -26,7 +27,7 @@ namespace dpcontact::commands
     };
 
     /// Every combination of the lists given, one line each.
-    ExitCode write_grid(const Options &options, const LookupTable &table)
+    ExitCode write_grid(const LookupOptions &options, const LookupTable &table)
     {
       if (!options.curve.empty())
         throw InputError("lookup: a curve is of one scene; leave --curve or --csv out");
@@ -46,9 +47,12 @@ namespace dpcontact::commands
       return ExitCode::success;
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const LookupOptions &options)
     {
       const LookupMethod method = parse_enum<LookupMethod>(options.method);
+      const bool estimates = method != LookupMethod::similarity && method != LookupMethod::table_2;
+      const EstimatorMaker make =
+        estimates ? solver_parts("method " + options.method).make_estimator : nullptr;
       const unsigned int points = options.curve.empty() ? 0 : parse_count("curve", options.curve);
       if (points > 100000)
         throw InputError("curve is " + options.curve + "; it must be at most 100000 points");
@@ -56,7 +60,7 @@ namespace dpcontact::commands
                                                ? default_database(method)
                                                : std::filesystem::path(options.database);
       check_files({{database, options.parameter_file}, {options.csv}});
-      const LookupTable table(method, database);
+      const LookupTable table(method, database, make);
       if (!options.csv.empty())
         return write_grid(options, table);
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
@@ -80,29 +84,27 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_lookup(CLI::App &program, Action &action)
+  void add_lookup(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("lookup", "The force law of a material and scene, from a table");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
+    const auto options = std::make_shared<LookupOptions>();
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
     command
-      ->add_option("--method",
-                   options->method,
-                   "similarity (any R, E, sigma-c, F_max); over the paper's 162 rows kriging, "
-                   "natural-neighbour, regression or table-2 (eq 19 as printed) [similarity]")
+      .add_option("--method",
+                  options->method,
+                  "similarity (any R, E, sigma-c, F_max); over the paper's 162 rows kriging, "
+                  "natural-neighbour, regression or table-2 (eq 19 as printed) [similarity]")
       ->type_name("");
-    command->add_option("--database", options->database, "table, as table or export wrote it")
+    command.add_option("--database", options->database, "table, as table or export wrote it")
       ->type_name("FILE");
-    command->add_option("--curve", options->curve, "print N points of either branch as well")
+    command.add_option("--curve", options->curve, "print N points of either branch as well")
       ->type_name("N");
     command
-      ->add_option(
+      .add_option(
         "--csv", options->csv, "table to write, one line for every combination of the lists given")
       ->type_name("FILE");
-    command->add_flag("--extrapolate", options->extrapolate, "answer outside the data as well");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    command.add_flag("--extrapolate", options->extrapolate, "answer outside the data as well");
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

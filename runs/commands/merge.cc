@@ -12,7 +12,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct MergeOptions
     {
       SettingTexts             texts;
       std::string              parameter_file;
@@ -21,7 +21,7 @@ namespace dpcontact::commands
       bool                     json    = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const MergeOptions &options)
     {
       Sweep sweep = read_sweep(options.parameter_file, options.texts);
       if (options.replace)
@@ -39,24 +39,20 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_merge(CLI::App &program, Action &action)
+  void add_merge(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("merge",
-                             "The database of a grid from the rows of its shards (sweep --shard). "
-                             "Options must be those of the sweep.");
-    command->add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
+    const auto options = std::make_shared<MergeOptions>();
+    command.add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
       ->required();
     command
-      ->add_option(
+      .add_option(
         "SHARDS", options->shards, "the shards' row directories (NAME.shard-1-of-4.h5.rows ...)")
       ->required();
-    add_settings(*command, sweep_settings(), options->texts, "Options");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
-    add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_replace_flag(*command, options->replace);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_settings(command, sweep_settings(), options->texts, "MergeOptions");
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(command, solver_settings(), options->texts, "Solver");
+    add_replace_flag(command, options->replace);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

@@ -1,6 +1,6 @@
 #include "runs/commands/options.h"
 
-#include "runs/interface/parameter_file.h"
+#include "runs/commands/solver_parts.h"
 
 namespace dpcontact::commands
 {
@@ -36,7 +36,8 @@ namespace dpcontact::commands
   {
     SettingTexts texts = command_line;
     if (!parameter_file.empty())
-      texts.merge(read_parameter_file(parameter_file, allowed)); // keeps what is there already
+      texts.merge( // keeps what is there already
+        solver_parts("--parameter-file").read_parameter_file(parameter_file, allowed));
     return texts;
   }
 } // namespace dpcontact::commands

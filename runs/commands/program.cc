@@ -1,8 +1,8 @@
 #include "runs/commands/program.h"
 
-#include "runs/commands/commands.h"
+#include "runs/commands/solver_parts.h"
 #include "runs/interface/version.h"
-#include "solver/parallel/environment.h"
+#include "solver/parallel/launcher.h"
 
 #include <cerrno>
 #include <chrono>
@@ -27,6 +27,65 @@ namespace dpcontact
       return text;
     }
 
+    struct Command
+    {
+      const char          *name, *help;
+      commands::AddOptions add_options; ///< null: SolverParts has it
+    };
+
+    /// In the order of --help.
+    const Command all_commands[] = {
+      {"yield", "First yield in closed form, on the axis and on the ring", commands::add_yield},
+      {"yield-surface", "Points of the yield surface as it is implemented, as CSV", nullptr},
+      {"solve", "One loading-unloading curve by finite elements, and its fit", nullptr},
+      {"converge",
+       "The error of each coefficient by source, from at least three levels of each",
+       nullptr},
+      {"sweep",
+       "A grid of materials and scenes over worker processes, or the ranks of mpirun; resumes "
+       "where it stopped. Lists are separated by commas.",
+       nullptr},
+      {"merge",
+       "The database of a grid from the rows of its shards (sweep --shard). Options must be those "
+       "of the sweep.",
+       nullptr},
+      {"fit", "Fits the curves of a database again and compares", commands::add_fit},
+      {"lookup", "The force law of a material and scene, from a table", commands::add_lookup},
+      {"evaluate",
+       "The paper's evaluation: regression, table 4, and how wrong every method is",
+       nullptr},
+      {"check",
+       "Checks the data of a database; exit code 8 where a row is wrong",
+       commands::add_check},
+      {"table",
+       "The universal table from a sweep over nu, phi and load levels",
+       commands::add_table},
+      {"export", "The table of a database in other formats", commands::add_export},
+      {"hard-cases",
+       "Scenes at the edge of what the solver is for, and what became of each",
+       nullptr},
+      {"compare",
+       "Coefficients of one database against those of another, row by row",
+       commands::add_compare},
+      {"validate",
+       "The contact law against finite elements: stored rows, unseen materials and paths",
+       nullptr},
+      {"collide",
+       "Two spheres meet head on: the contact law integrated from touch to separation",
+       commands::add_collide}};
+
+    const commands::SolverParts *parts_of_program = nullptr;
+
+    /// Takes whatever is said to the command, for the program that knows its options.
+    void leave_to_solver(CLI::App &command, commands::Action &action)
+    {
+      command.prefix_command();
+      command.set_help_flag();
+      command.callback([&action, name = command.get_name()] {
+        action = [name]() -> ExitCode { throw commands::SolverNeeded{name}; };
+      });
+    }
+
     ExitCode run(const int argc, const char *const *argv)
     {
       CLI::App program(
@@ -38,22 +97,16 @@ namespace dpcontact
       program.require_subcommand(1);
 
       commands::Action action;
-      commands::add_yield(program, action);
-      commands::add_yield_surface(program, action);
-      commands::add_solve(program, action);
-      commands::add_converge(program, action);
-      commands::add_sweep(program, action);
-      commands::add_merge(program, action);
-      commands::add_fit(program, action);
-      commands::add_lookup(program, action);
-      commands::add_evaluate(program, action);
-      commands::add_check(program, action);
-      commands::add_table(program, action);
-      commands::add_export(program, action);
-      commands::add_hard_cases(program, action);
-      commands::add_compare(program, action);
-      commands::add_validate(program, action);
-      commands::add_collide(program, action);
+      for (const Command &one : all_commands)
+        {
+          CLI::App *const command = program.add_subcommand(one.name, one.help);
+          if (one.add_options != nullptr)
+            one.add_options(*command, action);
+          else if (parts_of_program != nullptr)
+            parts_of_program->commands.at(one.name)(*command, action);
+          else
+            leave_to_solver(*command, action);
+        }
 
       try
         {
@@ -65,6 +118,18 @@ namespace dpcontact
           return program.exit(error) == 0 ? ExitCode::success : ExitCode::usage;
         }
       return action();
+    }
+
+    ExitCode run_or_leave(const int argc, const char *const *argv)
+    {
+      try
+        {
+          return run(argc, argv);
+        }
+      catch (const commands::SolverNeeded &needed)
+        {
+          commands::continue_in_solver(argv, needed);
+        }
     }
 
     /// Files that are opened later must not get the numbers of standard streams that were closed,
@@ -88,13 +153,21 @@ namespace dpcontact
     }
   } // namespace
 
-  int run_program(const int argc, const char *const *argv)
+  const commands::SolverParts &commands::solver_parts(const std::string &what)
   {
+    if (parts_of_program == nullptr)
+      throw SolverNeeded{what};
+    return *parts_of_program;
+  }
+
+  int run_program(const int argc, const char *const *argv, const commands::SolverParts *const parts)
+  {
+    parts_of_program = parts;
     open_standard_streams();
     std::signal(SIGXFSZ, SIG_IGN); // a file that gets too large is an error of that file
     try
       {
-        const ExitCode code = run(argc, argv);
+        const ExitCode code = run_or_leave(argc, argv);
         std::cout.flush();
         if (!std::cout)
           throw FileError("cannot write standard output");

@@ -3,9 +3,15 @@
 
 namespace dpcontact
 {
+  namespace commands
+  {
+    struct SolverParts;
+  }
+
   /// Runs the command line of `dpcontact` and returns the exit code (meshing/errors.h). Results go
   /// to standard output, messages and progress to standard error. Never throws.
-  int run_program(int argc, const char *const *argv);
+  /// @param parts null: what needs them is left to `dpcontact-solver`.
+  int run_program(int argc, const char *const *argv, const commands::SolverParts *parts);
 } // namespace dpcontact
 
 #endif

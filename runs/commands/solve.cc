@@ -27,7 +27,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct SolveOptions
     {
       SettingTexts texts;
       std::string  parameter_file;
@@ -143,7 +143,7 @@ namespace dpcontact::commands
     };
 
     /// Tries the places before anything is computed, and clears the directory where that is asked.
-    void prepare(const Places &places, const Options &options)
+    void prepare(const Places &places, const SolveOptions &options)
     {
       CommandFiles files{{options.parameter_file}, {places.checkpoint}};
       if (!places.checkpoint.empty())
@@ -244,7 +244,7 @@ namespace dpcontact::commands
         }
     }
 
-    void report(const Options &options, const Task &task, const Result &result)
+    void report(const SolveOptions &options, const Task &task, const Result &result)
     {
       if (!result.row.warnings.empty())
         std::cerr << "dpcontact: warning: " << result.row.warnings << std::endl;
@@ -256,7 +256,7 @@ namespace dpcontact::commands
           std::cout << "written   " << file.get<std::string>() << '\n';
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const SolveOptions &options)
     {
       const SettingTexts texts =
         merged(options.parameter_file,
@@ -293,23 +293,21 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_solve(CLI::App &program, Action &action)
+  void add_solve(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "solve", "One loading-unloading curve by finite elements, and its fit");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
-    add_settings(*command,
+    const auto options = std::make_shared<SolveOptions>();
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(command,
                  second_body_settings(),
                  options->texts,
                  "Second body (identical to the first unless one is given)");
-    add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_settings(*command, own_settings(), options->texts, "Options");
-    command->add_flag("--overwrite",
-                      options->overwrite,
-                      "remove the results that the directory of --output holds already");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_settings(command, solver_settings(), options->texts, "Solver");
+    add_settings(command, own_settings(), options->texts, "SolveOptions");
+    command.add_flag("--overwrite",
+                     options->overwrite,
+                     "remove the results that the directory of --output holds already");
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

@@ -8,6 +8,8 @@
 #include "runs/interface/documents.h"
 #include "runs/sweep/rank_pool.h"
 #include "runs/sweep/sweep_jobs.h"
+#include "solver/parallel/environment.h"
+#include "solver/parallel/launcher.h"
 #include "solver/problem/quantity.h"
 
 #include <iostream>
@@ -18,7 +20,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct SweepOptions
     {
       SettingTexts               texts;
       std::string                parameter_file;
@@ -42,7 +44,7 @@ namespace dpcontact::commands
       return shard;
     }
 
-    Sweep sweep_of(const Options &options)
+    Sweep sweep_of(const SweepOptions &options)
     {
       Sweep sweep        = read_sweep(options.parameter_file, options.texts);
       sweep.retry_failed = options.retry_failed;
@@ -112,7 +114,7 @@ namespace dpcontact::commands
       return ExitCode::success;
     }
 
-    ExitCode run(const Options &options, RankPool *const ranks)
+    ExitCode run(const SweepOptions &options, RankPool *const ranks)
     {
       const Sweep sweep = sweep_of(options);
       if (options.dry_run)
@@ -135,7 +137,7 @@ namespace dpcontact::commands
 
     /// Under MPI rank 0 does what the one process does without it, all output included, and the
     /// others compute for it. Its exit code is the launcher's.
-    ExitCode run_anyhow(const Options &options)
+    ExitCode run_anyhow(const SweepOptions &options)
     {
       if (launched_ranks() == 1)
         return run(options, nullptr);
@@ -150,28 +152,24 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_sweep(CLI::App &program, Action &action)
+  void add_sweep(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("sweep",
-                             "A grid of materials and scenes over worker processes, or the ranks "
-                             "of mpirun; resumes where it stopped. Lists are separated by commas.");
-    command->add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
+    const auto options = std::make_shared<SweepOptions>();
+    command.add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
       ->required();
-    add_settings(*command, sweep_settings(), options->texts, "Options");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
-    add_settings(*command, solver_settings(), options->texts, "Solver");
+    add_settings(command, sweep_settings(), options->texts, "SweepOptions");
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(command, solver_settings(), options->texts, "Solver");
     command
-      ->add_option("--shard",
-                   options->shard,
-                   "NUMBER/COUNT: compute this part of the grid only; its rows are kept in "
-                   "NAME.shard-NUMBER-of-COUNT.h5.rows for dpcontact merge")
+      .add_option("--shard",
+                  options->shard,
+                  "NUMBER/COUNT: compute this part of the grid only; its rows are kept in "
+                  "NAME.shard-NUMBER-of-COUNT.h5.rows for dpcontact merge")
       ->type_name("K/N");
-    command->add_flag("--dry-run", options->dry_run, "list what would be done, and do nothing");
-    command->add_flag("--retry-failed", options->retry_failed, "compute failed rows again");
-    add_replace_flag(*command, options->replace);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run_anyhow(*options); }; });
+    command.add_flag("--dry-run", options->dry_run, "list what would be done, and do nothing");
+    command.add_flag("--retry-failed", options->retry_failed, "compute failed rows again");
+    add_replace_flag(command, options->replace);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run_anyhow(*options); }; });
   }
 } // namespace dpcontact::commands

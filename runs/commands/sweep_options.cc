@@ -3,7 +3,7 @@
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/outputs.h"
-#include "solver/parallel/environment.h"
+#include "solver/parallel/launcher.h"
 #include "solver/path/families.h"
 #include "solver/problem/quantity.h"
 

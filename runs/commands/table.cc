@@ -15,14 +15,14 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct TableOptions
     {
       std::string database;
       std::string csv, join, datapackage, datacite;
       bool        json = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const TableOptions &options)
     {
       check_files(
         {{options.database, options.join}, {options.csv, options.datapackage, options.datacite}});
@@ -48,26 +48,24 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_table(CLI::App &program, Action &action)
+  void add_table(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "table", "The universal table from a sweep over nu, phi and load levels");
-    command->add_option("DATABASE", options->database, "HDF5 file of runs/universal.prm")
+    const auto options = std::make_shared<TableOptions>();
+    command.add_option("DATABASE", options->database, "HDF5 file of runs/universal.prm")
       ->required();
-    command->add_option("--csv", options->csv, "file to write, and its digest beside it")
+    command.add_option("--csv", options->csv, "file to write, and its digest beside it")
       ->required()
       ->type_name("FILE");
     command
-      ->add_option("--join",
-                   options->join,
-                   "table of the same settings whose nodes are added, where the sweep holds what a "
-                   "denser grid has beside them")
+      .add_option("--join",
+                  options->join,
+                  "table of the same settings whose nodes are added, where the sweep holds what a "
+                  "denser grid has beside them")
       ->type_name("FILE");
-    command->add_option("--datapackage", options->datapackage, "Frictionless data package of it")
+    command.add_option("--datapackage", options->datapackage, "Frictionless data package of it")
       ->type_name("FILE");
-    command->add_option("--datacite", options->datacite, "DataCite metadata")->type_name("FILE");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    command.add_option("--datacite", options->datacite, "DataCite metadata")->type_name("FILE");
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

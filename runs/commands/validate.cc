@@ -32,7 +32,7 @@ namespace dpcontact::commands
       }
     };
 
-    struct Options
+    struct ValidateOptions
     {
       std::string  database, table, csv;
       HistoryStudy histories;
@@ -41,7 +41,7 @@ namespace dpcontact::commands
       SettingTexts texts;
     };
 
-    void print_json(const Options                        &options,
+    void print_json(const ValidateOptions                &options,
                     const std::vector<ValidationEntry>   &entries,
                     const std::vector<ValidationSummary> &summaries,
                     const std::vector<std::string>       &failures,
@@ -88,7 +88,7 @@ namespace dpcontact::commands
       });
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const ValidateOptions &options)
     {
       if (options.database.empty() && options.histories.count == 0)
         throw InputError("validate: give a DATABASE, --histories, or both");
@@ -125,34 +125,31 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_validate(CLI::App &program, Action &action)
+  void add_validate(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "validate",
-      "The contact law against finite elements: stored rows, unseen materials and paths");
-    command->add_option(
+    const auto options = std::make_shared<ValidateOptions>();
+    command.add_option(
       "DATABASE", options->database, "HDF5 file of a sweep, whose rows are compared");
-    command->add_option("--table", options->table, "universal table, for the universal law")
+    command.add_option("--table", options->table, "universal table, for the universal law")
       ->type_name("FILE.csv");
     command
-      ->add_option("--histories",
-                   options->histories.count,
-                   "how many random materials and paths within the table to compute")
+      .add_option("--histories",
+                  options->histories.count,
+                  "how many random materials and paths within the table to compute")
       ->type_name("N");
-    command->add_option("--seed", options->histories.seed, "seed of the random histories [1]")
+    command.add_option("--seed", options->histories.seed, "seed of the random histories [1]")
       ->type_name("N");
     command
-      ->add_option("--load-level-max",
-                   options->histories.largest_load_level,
-                   "largest F/F_y of the random histories [1000]")
+      .add_option("--load-level-max",
+                  options->histories.largest_load_level,
+                  "largest F/F_y of the random histories [1000]")
       ->type_name("");
     command
-      ->add_option("--jobs", options->histories.processes, "processes that compute histories [1]")
+      .add_option("--jobs", options->histories.processes, "processes that compute histories [1]")
       ->check(CLI::Range(1u, 1024u))
       ->type_name("N");
     const auto bound = [&](const char *name, double &value, const char *help) {
-      command->add_option(name, value, help)->type_name("")->group("Bounds (exit code 8 beyond)");
+      command.add_option(name, value, help)->type_name("")->group("Bounds (exit code 8 beyond)");
     };
     bound("--loading-bound",
           options->bounds.loading,
@@ -162,10 +159,10 @@ namespace dpcontact::commands
           "rms force error over unloading and reloading, of the peak force");
     bound("--residual-bound", options->bounds.residual, "residual overlap, of the peak overlap");
     bound("--restitution-bound", options->bounds.restitution, "coefficient of restitution");
-    command->add_option("--csv", options->csv, "report to write, one line a row and law")
+    command.add_option("--csv", options->csv, "report to write, one line a row and law")
       ->type_name("FILE");
-    add_settings(*command, solver_settings(), options->texts, "Solver");
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    add_settings(command, solver_settings(), options->texts, "Solver");
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

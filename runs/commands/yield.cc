@@ -11,14 +11,14 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct YieldOptions
     {
       SettingTexts texts;
       std::string  parameter_file;
       bool         json = false;
     };
 
-    ExitCode run(const Options &options)
+    ExitCode run(const YieldOptions &options)
     {
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
       const FirstYield yield = first_yield(input.material, input.scene.radius);
@@ -32,14 +32,12 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_yield(CLI::App &program, Action &action)
+  void add_yield(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command =
-      program.add_subcommand("yield", "First yield in closed form, on the axis and on the ring");
-    add_settings(*command, scene_settings(), options->texts, "Material and scene");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    const auto options = std::make_shared<YieldOptions>();
+    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

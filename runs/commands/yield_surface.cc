@@ -18,7 +18,7 @@ namespace dpcontact::commands
 {
   namespace
   {
-    struct Options
+    struct YieldSurfaceOptions
     {
       SettingTexts texts;
       std::string  parameter_file;
@@ -148,7 +148,7 @@ namespace dpcontact::commands
       std::cout << csv.text();
     }
 
-    ExitCode run(const Options &options)
+    ExitCode run(const YieldSurfaceOptions &options)
     {
       const auto         settings = material_settings() + plane_settings();
       const SettingTexts texts    = merged(options.parameter_file, settings, options.texts);
@@ -201,15 +201,13 @@ namespace dpcontact::commands
     }
   } // namespace
 
-  void add_yield_surface(CLI::App &program, Action &action)
+  void add_yield_surface(CLI::App &command, Action &action)
   {
-    const auto      options = std::make_shared<Options>();
-    CLI::App *const command = program.add_subcommand(
-      "yield-surface", "Points of the yield surface as it is implemented, as CSV");
-    add_settings(*command, material_settings(), options->texts, "Material");
-    add_settings(*command, plane_settings(), options->texts, "Section");
-    add_parameter_file(*command, options->parameter_file);
-    add_json_flag(*command, options->json);
-    command->callback([options, &action] { action = [options] { return run(*options); }; });
+    const auto options = std::make_shared<YieldSurfaceOptions>();
+    add_settings(command, material_settings(), options->texts, "Material");
+    add_settings(command, plane_settings(), options->texts, "Section");
+    add_parameter_file(command, options->parameter_file);
+    add_json_flag(command, options->json);
+    command.callback([options, &action] { action = [options] { return run(*options); }; });
   }
 } // namespace dpcontact::commands

@@ -77,7 +77,7 @@ namespace dpcontact
     }
 
     /// deal.II's "Line <3> of file <x.prm>: some\n  paragraphs" as "x.prm:3: some paragraphs".
-    std::string one_line(const dealii::ExceptionBase &exception)
+    std::string message_of(const dealii::ExceptionBase &exception)
     {
       std::ostringstream stream;
       exception.print_info(stream);
@@ -88,7 +88,7 @@ namespace dpcontact
     std::string location(const dealii::ExceptionBase &exception)
     {
       std::smatch       found;
-      const std::string text = one_line(exception);
+      const std::string text = message_of(exception);
       return std::regex_search(text, found, std::regex("^.*?:[0-9]+: ")) ? found.str() : "";
     }
 
@@ -175,7 +175,7 @@ namespace dpcontact
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(one_line(exception));
+        throw InputError(message_of(exception));
       }
 
     SettingTexts texts;

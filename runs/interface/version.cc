@@ -2,8 +2,6 @@
 
 #include "git_revision.h"
 
-#include <deal.II/base/config.h>
-
 #include <CLI/Version.hpp>
 #include <H5public.h>
 #include <gmsh.h>
@@ -22,7 +20,7 @@ namespace dpcontact
     return {{"dpcontact", DPCONTACT_VERSION},
             {"git_revision", git_revision()},
             {"compiler", __VERSION__},
-            {"deal.II", DEAL_II_PACKAGE_VERSION},
+            {"deal.II", DPCONTACT_DEALII_VERSION},
             {"gmsh", GMSH_API_VERSION},
             {"GSL", GSL_VERSION},
             {"HDF5",

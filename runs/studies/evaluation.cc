@@ -5,7 +5,7 @@
 #include "database/files/regular_file.h"
 #include "database/rows/checks.h"
 #include "database/rows/row.h"
-#include "database/tables/material_table.h"
+#include "database/tables/estimators.h"
 #include "database/tables/universal_checks.h"
 #include "fitting/conventions.h"
 #include "meshing/errors.h"
@@ -219,8 +219,10 @@ namespace dpcontact
       {
         log(std::string("setting up ") + to_string(method));
         auto start = std::chrono::steady_clock::now();
-        tables.emplace_back(
-          method, method == LookupMethod::similarity ? evaluation.universal : evaluation.rows);
+        tables.emplace_back(method,
+                            method == LookupMethod::similarity ? evaluation.universal
+                                                               : evaluation.rows,
+                            make_estimator);
         const double  set_up = seconds_since(start);
         constexpr int calls  = 20;
         start                = std::chrono::steady_clock::now();

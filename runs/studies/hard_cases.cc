@@ -5,6 +5,7 @@
 #include "solver/closed_form/first_yield.h"
 #include "solver/closed_form/hertz.h"
 #include "solver/laws/law.h"
+#include "solver/laws/strengths.h"
 #include "solver/path/pilot.h"
 #include "solver/path/runs.h"
 #include "solver/path/solution.h"

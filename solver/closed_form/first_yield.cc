@@ -2,7 +2,7 @@
 
 #include "solver/closed_form/hertz.h"
 #include "solver/laws/criterion.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>

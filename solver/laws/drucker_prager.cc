@@ -1,5 +1,8 @@
 #include "solver/laws/drucker_prager.h"
 
+#include "solver/laws/material.h"
+#include "solver/laws/strengths.h"
+
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -337,18 +340,20 @@ namespace dpcontact::laws
       }
   }
 
-  double drucker_prager_alpha(const double friction_angle)
+  DruckerPrager
+  DruckerPrager::of(const Material &material, const double stress_unit, const double strain_unit)
   {
-    const double sine = std::sin(friction_angle);
-    return 2 * sine / (std::sqrt(3.) * (3 - sine));
-  }
-
-  double drucker_prager_strength(const double friction_angle, const double compressive_strength)
-  {
-    // 1 − √3 α = 3 (1 − sinφ)/(3 − sinφ), with 1 − sinφ = 2 sin²(45° − φ/2) so that no digit is
-    // lost towards φ = 90°.
-    const double half_angle_sine = std::sin((M_PI / 2 - friction_angle) / 2);
-    return compressive_strength * std::sqrt(3.) * 2 * half_angle_sine * half_angle_sine /
-           (3 - std::sin(friction_angle));
+    const double  phi     = material.friction_angle.radians();
+    const double  sigma_c = material.compressive_strength / stress_unit;
+    DruckerPrager law{material.shear_modulus(stress_unit, strain_unit),
+                      material.bulk_modulus(stress_unit, strain_unit),
+                      drucker_prager_alpha(phi),
+                      drucker_prager_strength(phi, sigma_c)};
+    law.xi                = drucker_prager_strength(phi, 1);
+    law.hardening         = material.hardening / (stress_unit / strain_unit);
+    law.flow_stress_ratio = material.flow_stress_ratio;
+    if (material.dilation_angle)
+      law.flow_alpha = drucker_prager_alpha(material.dilation_angle->radians());
+    return law;
   }
 } // namespace dpcontact::laws

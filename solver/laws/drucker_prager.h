@@ -69,14 +69,6 @@ namespace dpcontact::laws
                                   double              root_J2,
                                   double              multiplier) const;
   };
-
-  /// α = 2 sinφ/(√3(3 − sinφ)) of the cone through the Mohr–Coulomb pyramid's compression edges
-  /// (Wang et al. 2018, model section 2). φ in rad.
-  double drucker_prager_alpha(double friction_angle);
-
-  /// k = σc(1 − √3 α)/√3 of the same cone, in the unit of the uniaxial compressive strength σc. φ
-  /// in rad.
-  double drucker_prager_strength(double friction_angle, double compressive_strength);
 } // namespace dpcontact::laws
 
 #endif

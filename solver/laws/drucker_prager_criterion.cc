@@ -1,5 +1,5 @@
 #include "solver/laws/criterion.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 
 namespace dpcontact
 {
@@ -27,24 +27,4 @@ namespace dpcontact
     definition.onset_is_known = [](const Material &m) { return m.flow_stress_ratio == 1; };
     return definition;
   }
-
-  namespace laws
-  {
-    DruckerPrager
-    DruckerPrager::of(const Material &material, const double stress_unit, const double strain_unit)
-    {
-      const double  phi     = material.friction_angle.radians();
-      const double  sigma_c = material.compressive_strength / stress_unit;
-      DruckerPrager law{material.shear_modulus(stress_unit, strain_unit),
-                        material.bulk_modulus(stress_unit, strain_unit),
-                        drucker_prager_alpha(phi),
-                        drucker_prager_strength(phi, sigma_c)};
-      law.xi                = drucker_prager_strength(phi, 1);
-      law.hardening         = material.hardening / (stress_unit / strain_unit);
-      law.flow_stress_ratio = material.flow_stress_ratio;
-      if (material.dilation_angle)
-        law.flow_alpha = drucker_prager_alpha(material.dilation_angle->radians());
-      return law;
-    }
-  } // namespace laws
 } // namespace dpcontact

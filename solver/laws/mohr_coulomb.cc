@@ -1,6 +1,8 @@
 #include "solver/laws/mohr_coulomb.h"
 
+#include "solver/laws/material.h"
 #include "solver/laws/mohr_coulomb_returns.h"
+#include "solver/laws/strengths.h"
 
 #include <algorithm>
 #include <array>
@@ -200,5 +202,21 @@ namespace dpcontact::laws
         for (unsigned int l = 0; l < k; ++l)
           D[6 * k + l] = D[6 * l + k];
     return response;
+  }
+
+  MohrCoulomb
+  MohrCoulomb::of(const Material &material, const double stress_unit, const double strain_unit)
+  {
+    const double phi     = material.friction_angle.radians();
+    const double sigma_c = material.compressive_strength / stress_unit;
+    MohrCoulomb  law{material.shear_modulus(stress_unit, strain_unit),
+                    material.bulk_modulus(stress_unit, strain_unit),
+                    phi,
+                    mohr_coulomb_cohesion(phi, sigma_c)};
+    if (material.dilation_angle)
+      law.dilation_angle = material.dilation_angle->radians();
+    if (material.tension_cutoff)
+      law.tension_cutoff = *material.tension_cutoff / stress_unit;
+    return law;
   }
 } // namespace dpcontact::laws

@@ -47,21 +47,6 @@ namespace dpcontact::laws
     /// max(f, fₜ); the hardening variable is without effect.
     double yield_function(const StressTensor &stress, double hardening_variable) const;
   };
-
-  /// C = (1 − sinφ)/(2 cosφ) σc, computed as ½ tan(45° − φ/2) σc, which loses no digit towards 90°.
-  /// φ in rad.
-  inline double mohr_coulomb_cohesion(const double friction_angle,
-                                      const double compressive_strength)
-  {
-    return compressive_strength / 2 * std::tan((M_PI / 2 - friction_angle) / 2);
-  }
-
-  /// σc of the cohesion C, the inverse of mohr_coulomb_cohesion(). φ in rad.
-  inline double mohr_coulomb_compressive_strength(const double friction_angle,
-                                                  const double cohesion)
-  {
-    return 2 * cohesion / std::tan((M_PI / 2 - friction_angle) / 2);
-  }
 } // namespace dpcontact::laws
 
 #endif

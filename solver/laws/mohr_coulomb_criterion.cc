@@ -1,5 +1,5 @@
 #include "solver/laws/criterion.h"
-#include "solver/laws/mohr_coulomb.h"
+#include "solver/laws/strengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,23 +63,4 @@ namespace dpcontact
     definition.onset_is_known = [](const Material &) { return false; };
     return definition;
   }
-
-  namespace laws
-  {
-    MohrCoulomb
-    MohrCoulomb::of(const Material &material, const double stress_unit, const double strain_unit)
-    {
-      const double phi     = material.friction_angle.radians();
-      const double sigma_c = material.compressive_strength / stress_unit;
-      MohrCoulomb  law{material.shear_modulus(stress_unit, strain_unit),
-                      material.bulk_modulus(stress_unit, strain_unit),
-                      phi,
-                      mohr_coulomb_cohesion(phi, sigma_c)};
-      if (material.dilation_angle)
-        law.dilation_angle = material.dilation_angle->radians();
-      if (material.tension_cutoff)
-        law.tension_cutoff = *material.tension_cutoff / stress_unit;
-      return law;
-    }
-  } // namespace laws
 } // namespace dpcontact

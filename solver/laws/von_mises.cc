@@ -1,6 +1,6 @@
 #include "solver/laws/von_mises.h"
 
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/material.h"
 
 #include <cmath>
 
@@ -48,8 +48,12 @@ namespace dpcontact::laws
     return response;
   }
 
-  double von_mises_yield_stress(const double friction_angle, const double compressive_strength)
+  VonMises
+  VonMises::of(const Material &material, const double stress_unit, const double strain_unit)
   {
-    return std::sqrt(3.) * drucker_prager_strength(friction_angle, compressive_strength);
+    return {material.shear_modulus(stress_unit, strain_unit),
+            material.bulk_modulus(stress_unit, strain_unit),
+            material.compressive_strength / stress_unit,
+            material.hardening / (stress_unit / strain_unit)};
   }
 } // namespace dpcontact::laws

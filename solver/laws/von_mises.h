@@ -34,10 +34,6 @@ namespace dpcontact::laws
     /// f(σ, ε̄ᵖ) = √(3 J₂) − σ_Y(ε̄ᵖ)
     double yield_function(const StressTensor &stress, double hardening_variable) const;
   };
-
-  /// σ_Y = 3(1 − sinφ)/(3 − sinφ) σc (Wang et al. 2018, section 3.4; model section 2): the cylinder
-  /// through the cone's section I₁ = 0. φ in rad.
-  double von_mises_yield_stress(double friction_angle, double compressive_strength);
 } // namespace dpcontact::laws
 
 #endif

@@ -1,7 +1,6 @@
 #include "meshing/errors.h"
 #include "solver/laws/criterion.h"
-#include "solver/laws/drucker_prager.h"
-#include "solver/laws/von_mises.h"
+#include "solver/laws/strengths.h"
 
 namespace dpcontact
 {
@@ -42,16 +41,4 @@ namespace dpcontact
     definition.onset_is_known = [](const Material &) { return true; };
     return definition;
   }
-
-  namespace laws
-  {
-    VonMises
-    VonMises::of(const Material &material, const double stress_unit, const double strain_unit)
-    {
-      return {material.shear_modulus(stress_unit, strain_unit),
-              material.bulk_modulus(stress_unit, strain_unit),
-              material.compressive_strength / stress_unit,
-              material.hardening / (stress_unit / strain_unit)};
-    }
-  } // namespace laws
 } // namespace dpcontact

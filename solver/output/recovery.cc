@@ -39,7 +39,7 @@ namespace dpcontact
       return std::sqrt(1.5 * (s * s));
     }
 
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    constexpr std::size_t no_point = std::numeric_limits<std::size_t>::max();
 
     const char *const component_names_2d[] = {"stress_rr", "stress_yy", "stress_tt", "stress_ry"};
     const char *const component_names_3d[] =
@@ -83,12 +83,12 @@ namespace dpcontact
     }
 
     /// Index of the first quadrature point of every cell of the mesh that this process has of a
-    /// body; `none` of the others.
+    /// body; `no_point` of the others.
     template <int dim>
     std::vector<std::size_t> first_points(const Discretisation<dim> &space, const unsigned int body)
     {
       std::vector<std::size_t> first(space.dof_handler().get_triangulation().n_active_cells(),
-                                     none);
+                                     no_point);
       std::size_t              next = 0;
       for (const auto &cell : space.cells())
         {
@@ -115,7 +115,7 @@ namespace dpcontact
       for (const auto &cell : corners.active_cell_iterators())
         {
           const std::size_t first = first_point[cell->active_cell_index()];
-          if (first == none)
+          if (first == no_point)
             continue;
           cell->get_dof_indices(local);
           for (unsigned int v = 0; v < n_values<dim>; ++v)
@@ -191,7 +191,7 @@ namespace dpcontact
         output.add_data_vector(corners, values[v], value_name<dim>(v));
       // Other processes write the cells that this one does not have.
       output.set_cell_selection([&](const auto &cell) {
-        return cell->is_active() && first_point[cell->active_cell_index()] != none;
+        return cell->is_active() && first_point[cell->active_cell_index()] != no_point;
       });
       output.build_patches(space.dof_handler().get_fe().degree);
       write_pieces(output, space.communicator(), state, sink);

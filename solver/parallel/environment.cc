@@ -2,10 +2,10 @@
 
 #include "meshing/errors.h"
 #include "solver/parallel/blas_memory.h"
+#include "solver/parallel/launcher.h"
 
 #include <deal.II/base/multithread_info.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -18,13 +18,6 @@ namespace dpcontact
 {
   namespace
   {
-    /// 0 where the variable is not set or no number.
-    unsigned int number_in(const char *variable)
-    {
-      const char *const text = std::getenv(variable);
-      return text == nullptr ? 0 : static_cast<unsigned int>(std::strtoul(text, nullptr, 10));
-    }
-
     const char threads_variable[] = "DEAL_II_NUM_THREADS";
 
     /// The entry of the environment for deal.II's threads that set_aside_bad_threads() took out.
@@ -90,18 +83,6 @@ namespace dpcontact
     PetscOptionsSetValue(nullptr, "-no_signal_handler", "");
     PetscInitializeNoArguments();
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
-  }
-
-  unsigned int launched_ranks()
-  {
-    // Open MPI's mpirun; the process managers of MPICH and Intel MPI, srun --mpi=pmi2
-    for (const char *const variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-      if (const unsigned int ranks = number_in(variable); ranks > 0)
-        return ranks;
-    // srun --mpi=pmix
-    if (std::getenv("PMIX_RANK") != nullptr)
-      return std::max(1U, number_in("SLURM_STEP_NUM_TASKS"));
-    return 1;
   }
 
   MpiSession::MpiSession()

@@ -32,10 +32,6 @@ namespace dpcontact
   /// Starts MPI and PETSc once a process, where they are needed; Environment ends them.
   void start_parallel_libraries();
 
-  /// How many processes an MPI launcher (mpirun, srun) started together with this one, as the
-  /// environment that it set says; 1 without a launcher. Starts nothing.
-  unsigned int launched_ranks();
-
   /// MPI from its start to its end; once a process, all ranks together. Nothing else starts MPI,
   /// and without a launcher (launched_ranks() == 1) nobody needs it. No fork may follow.
   class MpiSession

@@ -18,8 +18,6 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   /// x from 0 to 4, y from 0 to 2, z from −3 to 0 in bricks of 1 × 1 × 1.5, with its boundary
   /// named.
   void make_box(Body &mesh)
@@ -36,7 +34,8 @@ namespace
 
   TEST(CheckBricks, finds_every_boundary_face_with_a_wrong_id)
   {
-    for (const double angle : {pi / 4, pi / 2, 2 * pi})
+    for (const double angle :
+         {dealii::numbers::PI / 4, dealii::numbers::PI / 2, 2 * dealii::numbers::PI})
       {
         Zones zones;
         zones.resolution = 4;
@@ -60,8 +59,9 @@ namespace
         EXPECT_GT(faces, 200u);
         EXPECT_NO_THROW(check_mesh(mesh, angle));
         // Planes of symmetry elsewhere than asked for; the whole has none.
-        if (angle < pi)
-          expect_refused<SolverError>([&] { check_mesh(mesh, pi * 3 / 4 - angle); }, "expected");
+        if (angle < dealii::numbers::PI)
+          expect_refused<SolverError>(
+            [&] { check_mesh(mesh, dealii::numbers::PI * 3 / 4 - angle); }, "expected");
       }
   }
 

@@ -1,6 +1,5 @@
 #include "meshing/errors.h"
 #include "meshing/quality.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/plane_meshes.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -15,8 +14,6 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  const auto *const traps = FloatingPointTraps::install();
-
   /// width × depth in columns × rows of rectangles, with its boundary named.
   void make_rectangle(Mesh              &mesh,
                       const unsigned int columns,
@@ -35,7 +32,7 @@ namespace
   }
 
   /// Each expected value is a closed form of a handful of operations.
-  constexpr double rounding = 1e-14;
+  constexpr double rounding_of_quality = 1e-14;
 
   TEST(Quality, of_equal_rectangles)
   {
@@ -44,14 +41,14 @@ namespace
     const MeshQuality quality = assess(mesh, 5);
     EXPECT_EQ(quality.n_cells, 12u);
     EXPECT_EQ(quality.n_hanging_nodes, 0u);
-    EXPECT_NEAR(quality.smallest_scaled_jacobian, 1, rounding);
-    EXPECT_NEAR(quality.mean_scaled_jacobian, 1, rounding);
-    EXPECT_NEAR(quality.largest_aspect_ratio, 2, rounding);
-    EXPECT_NEAR(quality.mean_aspect_ratio, 2, rounding);
-    EXPECT_NEAR(quality.smallest_cell_area, 2, rounding);
-    EXPECT_NEAR(quality.largest_cell_area, 2, rounding);
-    EXPECT_NEAR(quality.elements_across_contact, 2.5, rounding);
-    EXPECT_NEAR(quality.domain_radius, 3, rounding); // the bottom, not the outer side
+    EXPECT_NEAR(quality.smallest_scaled_jacobian, 1, rounding_of_quality);
+    EXPECT_NEAR(quality.mean_scaled_jacobian, 1, rounding_of_quality);
+    EXPECT_NEAR(quality.largest_aspect_ratio, 2, rounding_of_quality);
+    EXPECT_NEAR(quality.mean_aspect_ratio, 2, rounding_of_quality);
+    EXPECT_NEAR(quality.smallest_cell_area, 2, rounding_of_quality);
+    EXPECT_NEAR(quality.largest_cell_area, 2, rounding_of_quality);
+    EXPECT_NEAR(quality.elements_across_contact, 2.5, rounding_of_quality);
+    EXPECT_NEAR(quality.domain_radius, 3, rounding_of_quality); // the bottom, not the outer side
   }
 
   TEST(Quality, of_a_parallelogram_is_the_sine_of_its_angle)
@@ -65,9 +62,9 @@ namespace
           cell->vertex(2) - dealii::Point<2>(3 * std::cos(angle), 3 * std::sin(angle));
         cell->vertex(1)           = cell->vertex(0) + dealii::Point<2>(1, 0);
         const MeshQuality quality = assess(mesh, 1);
-        EXPECT_NEAR(quality.smallest_scaled_jacobian, std::sin(angle), rounding);
-        EXPECT_NEAR(quality.largest_aspect_ratio, 3, 10 * rounding);
-        EXPECT_NEAR(quality.smallest_cell_area, 3 * std::sin(angle), rounding);
+        EXPECT_NEAR(quality.smallest_scaled_jacobian, std::sin(angle), rounding_of_quality);
+        EXPECT_NEAR(quality.largest_aspect_ratio, 3, 10 * rounding_of_quality);
+        EXPECT_NEAR(quality.smallest_cell_area, 3 * std::sin(angle), rounding_of_quality);
       }
   }
 
@@ -82,7 +79,7 @@ namespace
         // edges (-0.75, 0.25) and (0.25, -0.75) meet at a sine of -(0.75² - 0.25²)/(0.75² + 0.25²)
         // = -0.8.
         cell->vertex(corner) += 1.5 * (cell->center() - cell->vertex(corner));
-        EXPECT_NEAR(assess(mesh, 1).smallest_scaled_jacobian, -0.8, rounding);
+        EXPECT_NEAR(assess(mesh, 1).smallest_scaled_jacobian, -0.8, rounding_of_quality);
       }
   }
 
@@ -98,9 +95,9 @@ namespace
     MeshQuality quality = assess(mesh, 1);
     EXPECT_EQ(quality.n_cells, 12u);
     EXPECT_EQ(quality.n_hanging_nodes, 4u);
-    EXPECT_NEAR(quality.smallest_cell_area, 0.5, rounding);
-    EXPECT_NEAR(quality.largest_cell_area, 2, rounding);
-    EXPECT_NEAR(quality.mean_aspect_ratio, 2, rounding);
+    EXPECT_NEAR(quality.smallest_cell_area, 0.5, rounding_of_quality);
+    EXPECT_NEAR(quality.largest_cell_area, 2, rounding_of_quality);
+    EXPECT_NEAR(quality.mean_aspect_ratio, 2, rounding_of_quality);
 
     // Along the surface 2 halved cells and 1 whole one; below, 2 + 2 new hanging nodes replace 1.
     for (const auto &cell : mesh.active_cell_iterators())
@@ -109,7 +106,7 @@ namespace
     mesh.execute_coarsening_and_refinement();
     quality = assess(mesh, 2.5);
     EXPECT_EQ(quality.n_hanging_nodes, 3u + 1u + 1u);
-    EXPECT_NEAR(quality.elements_across_contact, 4.5, rounding);
+    EXPECT_NEAR(quality.elements_across_contact, 4.5, rounding_of_quality);
   }
 
   TEST(Quality, counts_the_cut_face_by_its_fraction)

@@ -2,7 +2,6 @@
 #include "meshing/gmsh_session.h"
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/space_meshes.h"
 
 #include <deal.II/base/numbers.h>
@@ -19,17 +18,13 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  const auto *const traps = FloatingPointTraps::install();
-
-  constexpr double pi = dealii::numbers::PI;
-
   /// A handful of operations, and sums of up to 18,275 volumes or areas.
-  constexpr double rounding = 1e-13;
+  constexpr double rounding_of_body = 1e-13;
 
   class PublishedBody : public ::testing::Test
   {
   protected:
-    PublishedBody() { make_published_mesh({}, pi / 2, quarter); }
+    PublishedBody() { make_published_mesh({}, dealii::numbers::PI / 2, quarter); }
     Body quarter;
   };
 
@@ -47,10 +42,10 @@ namespace
   TEST_F(PublishedBody, has_the_printed_bricks_and_nodes)
   {
     Body whole;
-    make_published_mesh({}, 2 * pi, whole);
+    make_published_mesh({}, 2 * dealii::numbers::PI, whole);
     EXPECT_EQ(whole.n_active_cells(), 73100u);
     EXPECT_EQ(whole.n_used_vertices(), 76830u);
-    EXPECT_NO_THROW(check_mesh(whole, 2 * pi));
+    EXPECT_NO_THROW(check_mesh(whole, 2 * dealii::numbers::PI));
     EXPECT_EQ(quarter.n_active_cells(), 18275u);
     // Quarter planes: 8 × 9 nodes of the core, 45 rings of 16.
     EXPECT_EQ(quarter.n_used_vertices(), 26u * (8 * 9 + 45 * 16));
@@ -85,9 +80,9 @@ namespace
                                   : middle < 0.002 ? 5e-5
                                   : middle < 0.005 ? 5e-4
                                                    : 1e-3;
-            EXPECT_NEAR(radii[i + 1] - radii[i], size, rounding * 0.012) << radii[i];
+            EXPECT_NEAR(radii[i + 1] - radii[i], size, rounding_of_body * 0.012) << radii[i];
           }
-        EXPECT_NEAR(radii.back(), 0.012, rounding * 0.012);
+        EXPECT_NEAR(radii.back(), 0.012, rounding_of_body * 0.012);
       }
   }
 
@@ -100,7 +95,8 @@ namespace
         const double r = std::hypot(p[0], p[1]);
         if (r > 8e-4 - 1e-12)
           {
-            EXPECT_NEAR(r, 5e-5 * static_cast<double>(std::lround(r / 5e-5)), rounding * 0.012);
+            EXPECT_NEAR(
+              r, 5e-5 * static_cast<double>(std::lround(r / 5e-5)), rounding_of_body * 0.012);
             circles[std::lround(r / 5e-5)].push_back(std::atan2(p[1], p[0]));
           }
       }
@@ -110,7 +106,7 @@ namespace
         ASSERT_EQ(angles.size(), 16u);
         std::sort(angles.begin(), angles.end());
         for (unsigned int i = 0; i < 16; ++i)
-          EXPECT_NEAR(angles[i], i * pi / 30, rounding);
+          EXPECT_NEAR(angles[i], i * dealii::numbers::PI / 30, rounding_of_body);
       }
   }
 
@@ -137,20 +133,22 @@ namespace
         PublishedMesh published;
         published.outer_radius = outer;
         Body mesh;
-        make_published_mesh(published, pi / 2, mesh);
-        EXPECT_NO_THROW(check_mesh(mesh, pi / 2));
+        make_published_mesh(published, dealii::numbers::PI / 2, mesh);
+        EXPECT_NO_THROW(check_mesh(mesh, dealii::numbers::PI / 2));
         EXPECT_EQ(mesh.n_active_cells(),
                   25u * (7 * 8 + 15 * (38 + std::lround((outer - 0.005) / 1e-3))));
         // A sixty-sided prism; sums of tens of thousands of volumes from coordinates as above.
         const double depth   = PublishedMesh::depth();
-        const double section = 7.5 * outer * outer * std::sin(pi / 30);
-        const double sides   = 15 * 2 * outer * std::sin(pi / 60) * depth;
-        EXPECT_NEAR(total_volume(mesh), section * depth, rounding * section * depth);
-        EXPECT_NEAR(boundary_area(mesh, boundary::surface), section, rounding * section);
-        EXPECT_NEAR(
-          boundary_area(mesh, boundary::axis), 2 * outer * depth, rounding * 2 * outer * depth);
-        EXPECT_NEAR(
-          boundary_area(mesh, boundary::far), section + sides, rounding * (section + sides));
+        const double section = 7.5 * outer * outer * std::sin(dealii::numbers::PI / 30);
+        const double sides   = 15 * 2 * outer * std::sin(dealii::numbers::PI / 60) * depth;
+        EXPECT_NEAR(total_volume(mesh), section * depth, rounding_of_body * section * depth);
+        EXPECT_NEAR(boundary_area(mesh, boundary::surface), section, rounding_of_body * section);
+        EXPECT_NEAR(boundary_area(mesh, boundary::axis),
+                    2 * outer * depth,
+                    rounding_of_body * 2 * outer * depth);
+        EXPECT_NEAR(boundary_area(mesh, boundary::far),
+                    section + sides,
+                    rounding_of_body * (section + sides));
       }
   }
 
@@ -160,7 +158,7 @@ namespace
     // Prisms over the section's quadrilaterals. Three cells meet at M: at best at 120 degrees,
     // whose sine is 0.87. The worst has 123, sine 0.84.
     EXPECT_GT(quality.smallest_scaled_jacobian, 0.83);
-    EXPECT_LT(quality.smallest_scaled_jacobian, std::sin(pi * 2 / 3));
+    EXPECT_LT(quality.smallest_scaled_jacobian, std::sin(dealii::numbers::PI * 2 / 3));
     EXPECT_GT(quality.mean_scaled_jacobian, 0.99);
     EXPECT_EQ(quality.n_hanging_nodes, 0u);
     EXPECT_NEAR(quality.elements_across_contact, 20, 1e-9);
@@ -173,7 +171,7 @@ namespace
     PublishedMesh published;
     published.unit = 9e-4;
     Body scaled;
-    make_published_mesh(published, pi / 2, scaled);
+    make_published_mesh(published, dealii::numbers::PI / 2, scaled);
     ASSERT_EQ(scaled.n_vertices(), quarter.n_vertices());
     for (unsigned int v = 0; v < quarter.n_vertices(); ++v)
       for (unsigned int d = 0; d < 3; ++d)
@@ -184,7 +182,7 @@ namespace
   TEST_F(PublishedBody, is_the_same_bit_for_bit_when_made_again)
   {
     Body again;
-    make_published_mesh({}, pi / 2, again);
+    make_published_mesh({}, dealii::numbers::PI / 2, again);
     EXPECT_EQ(fingerprint(quarter), fingerprint(again));
   }
 
@@ -194,14 +192,14 @@ namespace
     published.outer_radius = 0.006;
     published.refinements  = 1;
     Body fine;
-    make_published_mesh(published, pi / 2, fine);
+    make_published_mesh(published, dealii::numbers::PI / 2, fine);
     EXPECT_EQ(fine.n_active_cells(), 8 * 25u * (7 * 8 + 15 * 39));
     const auto radii = radii_on_plane(fine, 1);
-    EXPECT_NEAR(radii[1], 2.5e-5, rounding * 0.006);
+    EXPECT_NEAR(radii[1], 2.5e-5, rounding_of_body * 0.006);
     EXPECT_EQ(radii.size(), 2 * 47u + 1u);
     // One hundred and twenty sides: halved segments end on the circle.
-    const double section = 15 * std::pow(0.006, 2) * std::sin(pi / 60);
-    EXPECT_NEAR(boundary_area(fine, boundary::surface), section, rounding * section);
+    const double section = 15 * std::pow(0.006, 2) * std::sin(dealii::numbers::PI / 60);
+    EXPECT_NEAR(boundary_area(fine, boundary::surface), section, rounding_of_body * section);
   }
 
   TEST(PublishedBodyCheck, refuses_what_is_out_of_range_and_names_it)
@@ -211,8 +209,12 @@ namespace
       expect_refused<InputError>([&] { make_published_mesh(published, angle, mesh); }, name);
       EXPECT_EQ(mesh.n_active_cells(), 0u);
     };
-    for (const double angle : {0., pi / 4, pi, -2 * pi, std::numeric_limits<double>::quiet_NaN()})
+    for (const double angle : {0.,
+                               dealii::numbers::PI / 4,
+                               dealii::numbers::PI,
+                               -2 * dealii::numbers::PI,
+                               std::numeric_limits<double>::quiet_NaN()})
       refused({}, angle, "angle");
-    refused({0.001, 0, 1}, pi / 2, "outer-radius");
+    refused({0.001, 0, 1}, dealii::numbers::PI / 2, "outer-radius");
   }
 } // namespace

@@ -2,7 +2,6 @@
 #include "meshing/gmsh_session.h"
 #include "meshing/published_mesh.h"
 #include "meshing/quality.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/plane_meshes.h"
 
 #include <cmath>
@@ -13,8 +12,6 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  const auto *const traps = FloatingPointTraps::install();
-
   TEST(PublishedMesh, has_the_elements_that_the_printed_counts_imply)
   {
     Mesh mesh;

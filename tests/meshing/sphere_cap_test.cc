@@ -2,7 +2,6 @@
 #include "meshing/quality.h"
 #include "meshing/sphere_cap.h"
 #include "meshing/zoned_mesh.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/plane_meshes.h"
 
 #include <cmath>
@@ -12,8 +11,6 @@ namespace
 {
   using namespace dpcontact;
   using namespace dpcontact::tests;
-
-  const auto *const traps = FloatingPointTraps::install();
 
   /// κ = a/R; the far boundary lies at a distance of R.
   class SphereCap : public ::testing::TestWithParam<double>

@@ -3,7 +3,6 @@
 #include "meshing/quality.h"
 #include "meshing/section_map.h"
 #include "meshing/wedge_mesh.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/space_meshes.h"
 
 #include <deal.II/base/numbers.h>
@@ -20,10 +19,6 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  const auto *const traps = FloatingPointTraps::install();
-
-  constexpr double pi = dealii::numbers::PI;
-
   /// A handful of operations on radii of up to 6; fine elements are 1/48 and larger.
   constexpr double placement = 1e-13;
 
@@ -47,7 +42,7 @@ namespace
     WedgeMesh()
       : layout(std::get<0>(GetParam()))
       , angle(std::get<1>(GetParam()))
-      , around(coarse_around_quarter * angle / (pi / 2))
+      , around(coarse_around_quarter * angle / (dealii::numbers::PI / 2))
       , core(layout.core_cells * std::pow(2, layout.halvings) / layout.resolution)
     {
       zones.resolution = layout.resolution;
@@ -64,7 +59,8 @@ namespace
   INSTANTIATE_TEST_SUITE_P(ResolutionAndAngle,
                            WedgeMesh,
                            ::testing::Combine(::testing::ValuesIn(layouts),
-                                              ::testing::Values(pi / 4, pi / 2)));
+                                              ::testing::Values(dealii::numbers::PI / 4,
+                                                                dealii::numbers::PI / 2)));
 
   TEST_P(WedgeMesh, is_of_bricks_within_its_budget)
   {
@@ -118,7 +114,7 @@ namespace
     const double top = around * L * L / 2 * std::sin(angle / around);
     EXPECT_NEAR(boundary_area(mesh, boundary::surface), top, 1e-11 * top);
     const double down  = 2 * layout.core_cells;
-    const double plane = down * L * L / 2 * std::sin(pi / 2 / down);
+    const double plane = down * L * L / 2 * std::sin(dealii::numbers::PI / 2 / down);
     EXPECT_NEAR(boundary_area(mesh, boundary::axis), 2 * plane, 1e-11 * plane);
     for (const unsigned int v : boundary_vertices(mesh, boundary::far))
       EXPECT_NEAR(mesh.get_vertices()[v].norm(), L, 1e-12 * L);
@@ -239,12 +235,12 @@ namespace
     zones.resolution  = 8;
     const double core = 1.25;
     Body         eighth, quarter, whole;
-    make_wedge_mesh(zones, pi / 4, eighth);
-    make_wedge_mesh(zones, pi / 2, quarter);
-    make_wedge_mesh(zones, 2 * pi, whole);
+    make_wedge_mesh(zones, dealii::numbers::PI / 4, eighth);
+    make_wedge_mesh(zones, dealii::numbers::PI / 2, quarter);
+    make_wedge_mesh(zones, 2 * dealii::numbers::PI, whole);
 
     EXPECT_EQ(whole.n_active_cells(), 4 * quarter.n_active_cells());
-    EXPECT_NO_THROW(check_mesh(whole, 2 * pi));
+    EXPECT_NO_THROW(check_mesh(whole, 2 * dealii::numbers::PI));
     const double volume = total_volume(whole);
     EXPECT_NEAR(4 * total_volume(quarter), volume, 1e-11 * volume);
     EXPECT_NEAR(enclosed_volume(whole), volume, 1e-11 * volume);
@@ -265,7 +261,7 @@ namespace
     Zones zones;
     zones.resolution = 8;
     Body whole;
-    make_wedge_mesh(zones, 2 * pi, whole);
+    make_wedge_mesh(zones, 2 * dealii::numbers::PI, whole);
     const double rounding = 1e-14 * zones.domain_radius;
     expect_invariant(
       whole, [](const auto &p) { return dealii::Point<3>(-p[1], p[0], p[2]); }, rounding);
@@ -279,13 +275,13 @@ namespace
     Zones zones;
     zones.resolution = 4;
     Body coarse, fine;
-    make_wedge_mesh(zones, pi / 2, coarse);
+    make_wedge_mesh(zones, dealii::numbers::PI / 2, coarse);
     zones.refinements = 1;
-    make_wedge_mesh(zones, pi / 2, fine);
+    make_wedge_mesh(zones, dealii::numbers::PI / 2, fine);
     EXPECT_EQ(fine.n_active_cells(), 8 * coarse.n_active_cells());
     EXPECT_NEAR(assess(fine, 1).elements_across_contact, 8, 8 * placement);
     // What chords cut off is of second order; 22.5 degrees leave the next orders 10 %.
-    const double ball = pi / 6 * std::pow(zones.domain_radius, 3);
+    const double ball = dealii::numbers::PI / 6 * std::pow(zones.domain_radius, 3);
     EXPECT_NEAR((ball - total_volume(coarse)) / (ball - total_volume(fine)), 4, 0.4);
     for (const unsigned int v : boundary_vertices(fine, boundary::far))
       EXPECT_NEAR(fine.get_vertices()[v].norm(), zones.domain_radius, 1e-12 * zones.domain_radius);
@@ -297,7 +293,7 @@ namespace
     zones.resolution       = 8;
     zones.surface_halvings = 1;
     Body mesh;
-    make_wedge_mesh(zones, pi / 2, mesh);
+    make_wedge_mesh(zones, dealii::numbers::PI / 2, mesh);
     EXPECT_NEAR(assess(mesh, 1).elements_across_contact, 16, 16 * placement);
     EXPECT_NEAR(total_volume(mesh), enclosed_volume(mesh), 1e-11 * total_volume(mesh));
   }
@@ -307,9 +303,9 @@ namespace
     Zones zones;
     zones.resolution = 6;
     Body mesh, stretched;
-    make_wedge_mesh(zones, pi / 4, mesh);
+    make_wedge_mesh(zones, dealii::numbers::PI / 4, mesh);
     zones.stretch = 1.37;
-    make_wedge_mesh(zones, pi / 4, stretched);
+    make_wedge_mesh(zones, dealii::numbers::PI / 4, stretched);
     ASSERT_EQ(stretched.n_vertices(), mesh.n_vertices());
     for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
       for (unsigned int d = 0; d < 3; ++d)
@@ -319,7 +315,7 @@ namespace
   TEST(WedgeMeshes, are_valid_at_every_resolution)
   {
     for (unsigned int resolution = 4; resolution <= 26; ++resolution)
-      for (const double angle : {pi / 4, pi / 2})
+      for (const double angle : {dealii::numbers::PI / 4, dealii::numbers::PI / 2})
         {
           SCOPED_TRACE(resolution);
           Zones zones;
@@ -339,23 +335,27 @@ namespace
       expect_refused<InputError>([&] { make_wedge_mesh(zones, angle, mesh); }, name);
       EXPECT_EQ(mesh.n_active_cells(), 0u);
     };
-    for (const double angle :
-         {0., -pi / 2, pi, 1., 3 * pi, std::numeric_limits<double>::quiet_NaN()})
+    for (const double angle : {0.,
+                               -dealii::numbers::PI / 2,
+                               dealii::numbers::PI,
+                               1.,
+                               3 * dealii::numbers::PI,
+                               std::numeric_limits<double>::quiet_NaN()})
       refused({}, angle, "angle");
     Zones zones;
     zones.resolution = 3;
-    refused(zones, pi / 2, "resolution");
+    refused(zones, dealii::numbers::PI / 2, "resolution");
     zones         = {};
     zones.octaves = 1;
-    refused(zones, pi / 2, "octaves");
+    refused(zones, dealii::numbers::PI / 2, "octaves");
     zones        = {};
     zones.growth = 0.5;
-    refused(zones, pi / 2, "growth");
+    refused(zones, dealii::numbers::PI / 2, "growth");
   }
 
   TEST(SectionMap, makes_a_kite_within_and_circles_without)
   {
-    for (const double angle : {pi / 4, pi / 2})
+    for (const double angle : {dealii::numbers::PI / 4, dealii::numbers::PI / 2})
       {
         const SectionMap map{angle, 0.4 * angle, 0.5, 0.9};
         EXPECT_EQ(map(0, 0).norm(), 0);

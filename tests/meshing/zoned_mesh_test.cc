@@ -1,7 +1,6 @@
 #include "meshing/errors.h"
 #include "meshing/quality.h"
 #include "meshing/zoned_mesh.h"
-#include "tests/support/floating_point_traps.h"
 #include "tests/support/plane_meshes.h"
 
 #include <deal.II/base/numbers.h>
@@ -15,8 +14,6 @@ using namespace dpcontact::tests;
 
 namespace
 {
-  const auto *const traps = FloatingPointTraps::install();
-
   /// gmsh places the points of a curve to about 1e-12 of its length; a cell's side is off by up to
   /// 3e-12 of itself.
   constexpr double gmsh_placement = 1e-11;

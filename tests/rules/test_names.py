@@ -11,7 +11,8 @@ from tree import ROOT, InSmallTree, TestCase, name_of, read, sources
 # Programs that a test runs.
 # Programs and libraries that tests start.
 HELPERS = {"tests/database/fuzz_readers.cc", "tests/database/rows/write_sample.cc",
-           "tests/runs/interface/fuzz_readers.cc", "tests/support/failing_calls.cc"}
+           "tests/meshing/traps.cc", "tests/runs/interface/fuzz_readers.cc",
+           "tests/support/failing_calls.cc"}
 
 SUITE = re.compile(r"^\s*(?:TYPED_)?TEST(?:_[FP])?\(\s*(\w+)", re.MULTILINE)
 

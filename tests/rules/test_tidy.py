@@ -33,62 +33,72 @@ def knows_dealii(root, path):
                for name in INCLUDE.findall(read(path)))
 
 
-def compiled_files(root, build):
-    """Production files that the build compiles."""
-    entries = json.loads(read(build / "compile_commands.json"))
-    compiled = {pathlib.Path(entry["file"]).resolve() for entry in entries}
-    return [path for room in ROOMS for path in sources(root, room, {".cc"}) if path in compiled]
+def compiled_units(root, build):
+    """Pairs of the entry of the build's list of commands and the production files that it compiles: one,
+    or those that a unity file includes."""
+    production = {path.resolve() for room in ROOMS for path in sources(root, room, {".cc"})}
+    units = []
+    for entry in json.loads(read(build / "compile_commands.json")):
+        file = pathlib.Path(entry["file"])
+        names = INCLUDE.findall(read(file)) if "/Unity/" in str(file) else [file]
+        units.append((entry, [path for path in map(lambda name: pathlib.Path(name).resolve(), names)
+                              if path in production]))
+    return [(entry, files) for entry, files in units if files]
 
 
-def without_precompiled(build, target):
-    """Writes into the folder `target` the build's commands without GCC's precompiled headers."""
-    entries = json.loads(read(build / "compile_commands.json"))
-    for entry in entries:
-        entry["command"] = re.sub(r"-Winvalid-pch|-include \S*/cmake_pch\.hxx", "", entry["command"])
-    (target / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
+def write_units(units, folder):
+    """Writes into `folder` a file for each unit that includes what the unit compiles, and their list of
+    commands."""
+    commands, written = [], []
+    for number, (entry, files) in enumerate(units):
+        unit = folder / f"unit_{number}.cc"
+        unit.write_text("".join(f'#include "{path}"\n' for path in files), encoding="utf-8")
+        written.append(unit)
+        commands.append({**entry, "file": str(unit),
+                         "command": entry["command"].replace(entry["file"], str(unit))})
+    (folder / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
+    return written
 
 
-def findings(build, path):
-    """What clang-tidy says of one file and of the tree's headers in it."""
-    less = [] if ALL_FILES else [f"--checks=-{SLOW_CHECK}"]
-    result = subprocess.run(["clang-tidy", "--quiet", "--extra-arg=-w", *less, "-p", str(build), str(path)],
-                            capture_output=True, text=True, check=False)
+def findings(folder, unit):
+    """What clang-tidy says of the tree's files in a unit."""
+    less = ["-bugprone-suspicious-include"] + ([] if ALL_FILES else [f"-{SLOW_CHECK}"])
+    result = subprocess.run(["clang-tidy", "--quiet", "--extra-arg=-w", "--checks=" + ",".join(less),
+                             "-p", str(folder), str(unit)], capture_output=True, text=True, check=False)
     found = re.findall(r"^\S+:\d+:\d+: (?:warning|error): .*$", result.stdout, re.MULTILINE)
     return found or ([result.stderr] if result.returncode else [])
 
 
 class Rules(TestCase):
     def test_nothing_is_found(self):
-        files = [path for path in compiled_files(ROOT, BUILD) if ALL_FILES or not knows_dealii(ROOT, path)]
-        self.assertGreater(len(files), 30)
+        units = [(entry, [path for path in files if ALL_FILES or not knows_dealii(ROOT, path)])
+                 for entry, files in compiled_units(ROOT, BUILD)]
+        units = [unit for unit in units if unit[1]]
+        self.assertGreater(sum(len(files) for _, files in units), 60)
         with tempfile.TemporaryDirectory() as folder, \
                 concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             commands = pathlib.Path(folder)
-            without_precompiled(BUILD, commands)
-            found = sorted(set(sum(pool.map(lambda path: findings(commands, path), files), [])))
+            found = sorted(set(sum(pool.map(lambda unit: findings(commands, unit),
+                                            write_units(units, commands)), [])))
         self.assert_none(found)
 
 
 class Checker(InSmallTree):
     """The check sees what it is for."""
 
-    def test_finding_is_seen(self):
+    def test_finding_is_seen_alone_and_in_a_unity_file(self):
         (self.root / ".clang-tidy").write_text(read(ROOT / ".clang-tidy"), encoding="utf-8")
         path = self.write("fitting/bad.cc", "double half(int n)\n{\n  return 0.5 + n / 2;\n}\n")
-        self.write("compile_commands.json", json.dumps(
-            [{"directory": str(self.root), "file": str(path), "command": f"g++ -std=c++17 -c {path}"}]))
-        self.assertEqual([name_of(self.root, path) for path in compiled_files(self.root, self.root)],
-                         ["fitting/bad.cc"])
-        self.assertEqual(len(findings(self.root, path)), 1)
-
-    def test_precompiled_headers_are_left_out(self):
-        (self.root / "bare").mkdir()
-        self.write("compile_commands.json", json.dumps(
-            [{"directory": "/b", "file": "a.cc",
-              "command": "g++ -Winvalid-pch -include /b/CMakeFiles/x.dir/cmake_pch.hxx -Ifolder -c a.cc"}]))
-        without_precompiled(self.root, self.root / "bare")
-        entry, = json.loads(read(self.root / "bare" / "compile_commands.json"))
-        self.assertEqual(entry["command"].split(), ["g++", "-Ifolder", "-c", "a.cc"])
+        unity = self.write("build/Unity/unity_0_cxx.cxx", f'#include "{path}"\n')
+        for compiled in (path, unity):
+            with self.subTest(compiled=compiled):
+                self.write("compile_commands.json", json.dumps(
+                    [{"directory": str(self.root), "file": str(compiled),
+                      "command": f"g++ -std=c++17 -c {compiled}"}]))
+                units = compiled_units(self.root, self.root)
+                self.assertEqual([files for _, files in units], [[path.resolve()]])
+                unit, = write_units(units, self.root)
+                self.assertEqual(len(findings(self.root, unit)), 1)
 
     def test_dealii_is_seen_through_another_header(self):
         self.write("meshing/mesh.h", "#include <deal.II/grid/tria.h>\n")

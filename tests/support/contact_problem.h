@@ -2,6 +2,7 @@
 #define DPCONTACT_TESTS_SUPPORT_CONTACT_PROBLEM_H
 
 #include "meshing/zoned_mesh.h"
+#include "solver/laws/strengths.h"
 #include "solver/path/load_path.h"
 #include "solver/system/contact_system.h"
 

@@ -2,6 +2,7 @@
 #define DPCONTACT_TESTS_SUPPORT_LAW_STATES_H
 
 #include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 
 #include <cmath>
 #include <cstdint>

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import shutil
 import subprocess
 
 import program
@@ -238,6 +239,42 @@ class Usage(program.TestCase):
         self.assertEqual(version.returncode, SUCCESS)
         for word in ["dpcontact ", "deal.II 9.", "gmsh 4.", "GSL 2."]:
             self.assertIn(word, version.stdout)
+
+
+class StartsAtOnce(program.TestCase):
+    """What solves, and the libraries that take half a second to load, are in dpcontact-solver."""
+
+    def test_large_libraries_are_not_loaded(self):
+        loaded = subprocess.run(["ldd", program.PROGRAM], capture_output=True, text=True, check=True).stdout
+        self.assertIn("libstdc++", loaded)
+        for library in ["deal.ii", "petsc", "trilinos", "gmsh", "libOT", "cholmod"]:
+            self.assertNotIn(library, loaded)
+
+    def test_alone(self):
+        alone = shutil.copy(program.PROGRAM, self.directory)
+        scene = [*TYPE_1, "--radius", "0.1", "--force-max", "100"]
+
+        def run(*arguments):
+            return subprocess.run([alone, *arguments], capture_output=True, text=True, check=False)
+
+        lookup = run("lookup", *scene, "--json")
+        self.assertEqual(lookup.returncode, SUCCESS, lookup.stderr)
+        self.assertEqual(json.loads(lookup.stdout), self.document("lookup", *scene))
+        parameters = self.write("case.prm", "set E = 10GPa\n")
+        for arguments, what in [(["solve", *scene], "solve"), (["sweep", "--help"], "sweep"),
+                                (["yield", "--parameter-file", parameters], "--parameter-file"),
+                                (["lookup", *scene, "--method", "kriging"], "method kriging")]:
+            with self.subTest(arguments=arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, FILE)
+                self.assertEqual(result.stdout, "")
+                self.assertRegex(result.stderr, f"^dpcontact: error: {what} needs the solver, but "
+                                                ".*/dpcontact-solver cannot be started: No such file")
+
+    def test_the_solver_takes_arguments_and_streams_over(self):
+        result = self.run_program("sweep", "a b.prm", "--dry-run", "--database", "rows.h5")
+        self.assertEqual(result.returncode, FILE)
+        self.assertIn("a b.prm", result.stderr)
 
 
 class Criteria(program.TestCase):

@@ -1,4 +1,4 @@
-#include "database/tables/lookup.h"
+#include "database/tables/estimators.h"
 #include "meshing/errors.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ namespace
 
   TEST(Lookup, OverThePapersRowsAsksForItsRadiusAndForce)
   {
-    const LookupTable  table(LookupMethod::regression, DPCONTACT_PAPERS_ROWS);
+    const LookupTable  table(LookupMethod::regression, DPCONTACT_PAPERS_ROWS, make_estimator);
     const LookupResult found = table.at(type_1);
     EXPECT_NEAR(found.coefficients.a, found.published.a * std::exp2(found.published.b), 1e-14);
     Case larger         = type_1;

@@ -3,6 +3,7 @@
 
 #include "database/files/digest.h"
 #include "runs/commands/program.h"
+#include "runs/commands/solver_parts.h"
 #include "runs/interface/checkpoint_file.h"
 #include "runs/studies/evaluation.h"
 #include "tests/support/fuzzing.h"
@@ -24,7 +25,8 @@ namespace
     std::ostringstream out, messages;
     auto *const        cout = std::cout.rdbuf(out.rdbuf());
     auto *const        cerr = std::cerr.rdbuf(messages.rdbuf());
-    const int          code = run_program(static_cast<int>(arguments.size()), arguments.data());
+    const int          code = run_program(
+      static_cast<int>(arguments.size()), arguments.data(), &commands::all_solver_parts());
     std::cout.rdbuf(cout);
     std::cerr.rdbuf(cerr);
     if (code != 0)

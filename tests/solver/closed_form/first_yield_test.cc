@@ -2,6 +2,7 @@
 #include "solver/closed_form/first_yield.h"
 #include "solver/closed_form/hertz.h"
 #include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 #include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "solver/closed_form/yield_surface.h"
 #include "solver/laws/law.h"
+#include "solver/laws/strengths.h"
 
 #include <gtest/gtest.h>
 

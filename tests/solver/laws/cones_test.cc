@@ -1,4 +1,5 @@
 #include "solver/laws/drucker_prager.h"
+#include "solver/laws/strengths.h"
 #include "solver/laws/von_mises.h"
 #include "tests/support/floating_point_traps.h"
 #include "tests/support/law_checks.h"

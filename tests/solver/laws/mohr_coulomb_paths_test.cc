@@ -1,4 +1,5 @@
 #include "solver/laws/mohr_coulomb.h"
+#include "solver/laws/strengths.h"
 #include "tests/support/floating_point_traps.h"
 #include "tests/support/law_checks.h"
 #include "tests/support/soil.h"
