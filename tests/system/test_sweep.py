@@ -112,6 +112,20 @@ class Sweep(grids.TestCase):
                 self.assertFalse((self.directory / "table.h5").exists())
         self.assertEqual(self.document(*self.arguments, "table.h5")["converged"], 4)
 
+    def test_a_limit_of_processor_time_is_no_failed_row(self):
+        grid = self.write("slow.prm", SLOW_GRID)
+
+        def little_time():
+            resource.setrlimit(resource.RLIMIT_CPU, (1, 100))  # SIGXCPU after 1 s, for each process by itself
+
+        arguments = ["sweep", grid, "--jobs", "1", "--resolution", "32", "--database", "table.h5"]
+        result = self.run_program(*arguments, preexec_fn=little_time)
+        self.assertIn(result.returncode, (SUCCESS, INTERNAL), result.stderr)
+        self.assertIn(f"signal {int(signal.SIGXCPU)}", result.stderr)
+        for content in self.stored_rows("table.h5").values():
+            self.assertIn(b'"status": "converged"', content)
+        self.assertEqual(self.document(*arguments)["converged"], 6)
+
     def test_a_sweep_adds_rows(self):
         self.succeed(*self.arguments, "table.h5")
         before = self.table("table.h5")

@@ -219,6 +219,37 @@ TEST_F(StoreTest, AnErrorInAnyCallLeavesTheOldDatabaseAndDigest)
     }
 }
 
+// Wherever in the writing the disk fills up, the final flush and the last close included.
+TEST_F(StoreTest, AnErrorInAnyOfTheCallsLeavesOneOfTheDatabases)
+{
+  const fs::path file = directory / "table.h5";
+  for (const char *call : {"open", "write", "fsync", "close", "rename"})
+    {
+      int  refused = 0;
+      bool written = false;
+      while (!written)
+        {
+          write_store(file, any_database(3));
+          testing_faults::arm(call, refused + 1, ENOSPC);
+          try
+            {
+              write_store(file, any_database(4));
+              written = true;
+            }
+          catch (const FileError &)
+            {
+              ++refused;
+            }
+          testing_faults::disarm();
+          const Database found = read_store(file);
+          EXPECT_TRUE(!written || found.records.size() == 4) << call;
+          expect_same(found, any_database(found.records.size() == 3 ? 3 : 4));
+          ASSERT_LT(refused, 10000) << call;
+        }
+      EXPECT_GT(refused, 0) << call;
+    }
+}
+
 // As a file system without locks has it, for instance lustre.
 TEST_F(StoreTest, NeedsNoLocksOfTheFileSystem)
 {
