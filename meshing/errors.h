@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace dpcontact
 {
@@ -34,6 +35,14 @@ namespace dpcontact
     ExitCode exit_code;
   };
 
+  /// A command line that is not understood.
+  struct UsageError : Error
+  {
+    explicit UsageError(const std::string &message)
+      : Error(ExitCode::usage, message)
+    {}
+  };
+
   /// A value outside its range or of the wrong type.
   struct InputError : Error
   {
@@ -53,9 +62,12 @@ namespace dpcontact
   /// The computation did not reach its goal; the message holds the reason.
   struct SolverError : Error
   {
-    explicit SolverError(const std::string &message)
+    /// @param log_ numbers for whoever looks into it: "residuals 1 0.3 …"
+    explicit SolverError(const std::string &message, std::string log_ = "")
       : Error(ExitCode::solver, message)
+      , log(std::move(log_))
     {}
+    std::string log;
   };
 
   /// Stored results were made with other settings; the message prints both values.

@@ -30,11 +30,17 @@ namespace dpcontact
   Collision
   collide(const ContactLaw &law, const CollidingSpheres &spheres, const unsigned int steps)
   {
-    for (const auto &[name, value] : {std::pair{"radius", spheres.radius_1},
-                                      std::pair{"second radius", spheres.radius_2},
-                                      std::pair{"density", spheres.density},
-                                      std::pair{"velocity", spheres.velocity}})
-      check(std::isfinite(value) && value > 0, name, value, "finite and positive");
+    const auto check_within =
+      [](const char *name, const double value, const double low, const double high) {
+        std::ostringstream range;
+        range << "from " << low << " to " << high << " in SI units";
+        check(value >= low && value <= high, name, value, range.str().c_str());
+      };
+    // Far beyond all grains, and where no power of them leaves the range of doubles.
+    check_within("radius", spheres.radius_1, 1e-9, 1e6);
+    check_within("second radius", spheres.radius_2, 1e-9, 1e6);
+    check_within("density", spheres.density, 1e-3, 1e6);
+    check_within("velocity", spheres.velocity, 1e-9, 1e5);
     check(steps >= 100, "number of steps", steps, "at least 100");
 
     const double r    = ContactLaw::effective_radius(spheres.radius_1, spheres.radius_2);
@@ -81,6 +87,17 @@ namespace dpcontact
     result.duration         = time;
     result.rebound_velocity = -velocity;
     result.restitution      = -velocity / speed;
+    // The law creates no energy; the rest is the integration's error.
+    constexpr double rounding = 1e-3;
+    if (!(result.restitution >= 0 && result.restitution <= 1 + rounding) ||
+        !std::isfinite(result.peak_force + result.peak_overlap + result.duration))
+      {
+        std::ostringstream message;
+        message << "collision: no rebound was found (restitution " << result.restitution
+                << ", peak force " << result.peak_force << " N, overlap " << result.peak_overlap
+                << " m): is the law one of rock, and is --steps large enough?";
+        throw SolverError(message.str());
+      }
     return result;
   }
 } // namespace dpcontact

@@ -31,7 +31,8 @@ namespace dpcontact
   /// Integrates m_eff δ'' = −F(δ; history) by Runge and Kutta's fourth-order method from touch to
   /// separation. The time of separation is interpolated within the last step.
   /// @param steps how many steps the collision takes, about.
-  /// @throws InputError unless all four numbers are finite and positive and steps ≥ 100.
+  /// @throws InputError unless the radii are 1 nm to 1000 km, the density 10⁻³ to 10⁶ kg/m³, the
+  /// velocity 10⁻⁹ to 10⁵ m/s and steps ≥ 100; SolverError where no rebound comes of it.
   Collision
   collide(const ContactLaw &law, const CollidingSpheres &spheres, unsigned int steps = 20000);
 } // namespace dpcontact

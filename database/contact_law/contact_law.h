@@ -151,9 +151,36 @@ namespace dpcontact
       throw std::runtime_error(message.str());
     }
 
+    // What is asked of numbers that may be NaN or infinite is asked of their bits: DEM codes are
+    // compiled with -ffast-math, for which there are no such numbers.
+
+    inline std::uint64_t bits_of(const double value)
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &value, sizeof bits);
+      return bits;
+    }
+
+    /// |value| < limit, a finite positive number; false of NaN.
+    inline bool is_below(const double value, const double limit)
+    {
+      return (bits_of(value) & 0x7FFFFFFFFFFFFFFFu) < bits_of(limit);
+    }
+
+    inline bool is_finite(const double value)
+    {
+      return (bits_of(value) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
+    }
+
+    /// Finite and greater than 0.
+    inline bool is_positive(const double value)
+    {
+      return is_finite(value) && bits_of(value) - 1 < 0x7FFFFFFFFFFFFFFFu;
+    }
+
     inline void check_positive(const char *what, const double value)
     {
-      check(std::isfinite(value) && value > 0, what, value, "finite and positive");
+      check(is_positive(value), what, value, "finite and positive");
     }
 
     /// x^y for x > 0.
@@ -383,8 +410,11 @@ namespace dpcontact
     const double nu = material.poisson_ratio, phi = material.friction_angle_deg;
     check_positive("Young's modulus", material.youngs_modulus);
     check_positive("compressive strength", material.compressive_strength);
-    check(nu >= 0 && nu < 0.5, "Poisson's ratio", nu, "at least 0 and below 0.5");
-    check(phi >= 0 && phi < 90, "friction angle", phi, "at least 0 and below 90 degrees");
+    check(is_finite(nu) && nu >= 0 && nu < 0.5, "Poisson's ratio", nu, "at least 0 and below 0.5");
+    check(is_finite(phi) && phi >= 0 && phi < 90,
+          "friction angle",
+          phi,
+          "at least 0 and below 90 degrees");
     const double sine = std::sin(phi * pi / 180), kappa = 1 - 2 * sine / (3 - sine);
     // The stress has one maximum over ln u. Golden section finds it, as closely as a maximum tells
     // where it is.
@@ -532,7 +562,7 @@ namespace dpcontact
           {
             std::istringstream cell(place[c] < cells.size() ? cells[place[c]] : "");
             cell.imbue(std::locale::classic());
-            if (!(cell >> row[c]) || !(cell >> std::ws).eof() || !std::isfinite(row[c]))
+            if (!(cell >> row[c]) || !(cell >> std::ws).eof() || !is_finite(row[c]))
               fail("'" + cell.str() + "' is no value of " + names[c]);
           }
         if (row[0] < 0 || row[0] >= 0.5 || row[1] < 0 || row[1] >= 90 || !(row[2] > 0))
@@ -989,7 +1019,7 @@ namespace dpcontact
                              const double  effective_radius,
                              ContactState &state) const noexcept
     {
-      if (!(std::isgreater(effective_radius, 0) && std::isless(effective_radius, largest)))
+      if (!is_length(effective_radius))
         return {0, contact_input_invalid};
       const double per_overlap = 1 / (scales.overlap_unit * effective_radius),
                    force_unit  = scales.force_unit * effective_radius * effective_radius;
@@ -1011,7 +1041,7 @@ namespace dpcontact
     /// Force, residual overlap, m and n of the unloading curve that begins at this peak.
     ContactCoefficients coefficients(const double peak_overlap, const double effective_radius) const
     {
-      const double xi    = std::max(peak_overlap / (scales.overlap_unit * effective_radius), 0.);
+      const double xi    = peak_of(peak_overlap / (scales.overlap_unit * effective_radius));
       const auto   at    = branch(xi);
       const double force = at.force * scales.force_unit * effective_radius * effective_radius;
       if (xi <= 1)
@@ -1027,7 +1057,7 @@ namespace dpcontact
     /// limits the time step, and 2E*a of its contact radius a.
     double stiffness(const double peak_overlap, const double effective_radius) const
     {
-      return stiffness(peak_overlap / (scales.overlap_unit * effective_radius)) *
+      return stiffness(peak_of(peak_overlap / (scales.overlap_unit * effective_radius))) *
              scales.force_unit / scales.overlap_unit * effective_radius;
     }
 
@@ -1035,12 +1065,26 @@ namespace dpcontact
     /// for the law's own stiffness.
     double strain_measure(const double peak_overlap, const double effective_radius) const
     {
-      return strain_measure(peak_overlap / (scales.overlap_unit * effective_radius));
+      return strain_measure(peak_of(peak_overlap / (scales.overlap_unit * effective_radius)));
     }
 
   private:
     friend class ContactPair;
     static constexpr double largest = 1e100; ///< an overlap ξ or an R* that is not below it is none
+
+    /// An R*: its square and what is divided by it stay finite.
+    static bool is_length(const double radius)
+    {
+      using namespace contact_law_detail;
+      return is_positive(radius) && is_below(radius, largest) && radius > 1 / largest;
+    }
+
+    /// The ξ of a peak; 0 of what is none: negative, NaN, infinite.
+    static double peak_of(const double xi)
+    {
+      using namespace contact_law_detail;
+      return is_positive(xi) && is_below(xi, largest) ? xi : 0;
+    }
 
     /// For R* = 1; a force grows with R*², an overlap with R*.
     struct Scales
@@ -1054,7 +1098,13 @@ namespace dpcontact
       : law(std::move(law_))
       , scales(scales_)
       , strain_limit(find_strain_limit())
-    {}
+    {
+      using contact_law_detail::check_positive;
+      check_positive("F_y over R*^2", scales.force_yield);
+      check_positive("delta_y over R*", scales.overlap_yield);
+      check_positive("the largest elastic F over R*^2", scales.force_unit);
+      check_positive("the largest elastic delta over R*", scales.overlap_unit);
+    }
 
     /// Calls with the law in its own class: a comparison, then code that the compiler knows.
     template <typename Act>
@@ -1111,11 +1161,11 @@ namespace dpcontact
                             ContactState &state) const noexcept
     {
       const double xi = overlap * per_overlap;
-      if (!std::isless(std::abs(xi), largest)) // NaN as well; raises no floating-point exception
+      if (!contact_law_detail::is_below(xi, largest))
         return {0, contact_input_invalid};
-      double peak = state.peak_overlap * per_overlap;
-      if (!(std::isgreater(peak, 0) && std::isless(peak, largest)))
-        peak = state.peak_overlap = 0;
+      double peak = peak_of(state.peak_overlap * per_overlap);
+      if (!contact_law_detail::is_positive(peak))
+        state.peak_overlap = 0;
       double       force = 0;
       unsigned int flags = 0;
       // Not of ξ, for which a processor would wait before it knows the branch.
@@ -1148,7 +1198,10 @@ namespace dpcontact
       : law(law_)
       , radius(effective_radius_)
     {
-      contact_law_detail::check_positive("the effective radius R*", radius);
+      contact_law_detail::check(ContactLaw::is_length(radius),
+                                "the effective radius R*",
+                                radius,
+                                "finite, positive, and from 1e-100 to 1e100 m");
       per_overlap = 1 / (law.scales.overlap_unit * radius);
       force_unit  = law.scales.force_unit * radius * radius;
     }

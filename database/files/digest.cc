@@ -122,10 +122,25 @@ namespace dpcontact
       return found;
     }
 
+    /// What the program writes with a digest begins as HDF5, with a comment, or with the columns of
+    /// a table.
+    bool may_be_ours(const std::string &content)
+    {
+      return content.empty() || content.front() == '#' || begins_as_hdf5(content) ||
+             content.substr(0, content.find('\n')).find("phi_deg") != std::string::npos;
+    }
+
     /// @throws CorruptData as check_digest().
-    void compare_with_digest(const std::filesystem::path &file, const std::string &actual)
+    void compare_with_digest(const std::filesystem::path &file,
+                             const std::string           &content,
+                             const std::string           &actual)
     {
       const std::filesystem::path digest = digest_path_of(file);
+      if (!std::filesystem::exists(digest) && !may_be_ours(content))
+        throw CorruptData(file.string() +
+                          " is not a database or table that dpcontact wrote: it is another kind of "
+                          "file, and has no digest beside it; give the .h5 file of a sweep, or the "
+                          ".csv of `dpcontact table` or `dpcontact export`");
       if (!std::filesystem::exists(digest))
         throw CorruptData("the digest " + digest.string() +
                           " is missing, so the database cannot be trusted" + remedy);
@@ -140,8 +155,8 @@ namespace dpcontact
     {
       try
         {
-          const std::string sum = sha256_of_file(file);
-          compare_with_digest(file, sum);
+          const std::string content = read_file(file), sum = sha256(content);
+          compare_with_digest(file, content, sum);
           return digest_line(sum, file);
         }
       catch (const Error &)
@@ -150,6 +165,8 @@ namespace dpcontact
         }
     }
   } // namespace
+
+  bool begins_as_hdf5(const std::string &content) { return content.rfind("\x89HDF\r\n", 0) == 0; }
 
   void check_digest(const std::filesystem::path &file) { read_with_digest(file); }
 
@@ -194,14 +211,14 @@ namespace dpcontact
         std::string content = read_file(file);
         try
           {
-            compare_with_digest(file, sha256(content));
+            compare_with_digest(file, content, sha256(content));
             return content;
           }
         catch (const Error &)
           {}
       }
     std::string content = read_file(file);
-    compare_with_digest(file, sha256(content));
+    compare_with_digest(file, content, sha256(content));
     return content;
   }
 } // namespace dpcontact

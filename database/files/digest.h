@@ -31,6 +31,9 @@ namespace dpcontact
   /// @throws CorruptData where the digest of the file is missing, damaged or that of other content,
   /// FileError if it cannot be read.
   void check_digest(const std::filesystem::path &file);
+
+  /// Whether the content is that of an HDF5 file, by its first bytes.
+  bool begins_as_hdf5(const std::string &content);
 } // namespace dpcontact
 
 #endif

@@ -7,7 +7,6 @@
 #include "meshing/errors.h"
 #include "meshing/number_text.h"
 #include "solver/closed_form/first_yield.h"
-#include "solver/laws/criterion.h"
 
 #include <cmath>
 #include <map>
@@ -136,7 +135,7 @@ namespace dpcontact
                    Findings          &findings)
     {
       constexpr Coefficients elastic{1., 1.5, 1., 1.5};
-      if (onset_is_known(row.input.material) && row.input.scene.force_max <= yield.onset_force())
+      if (row.input.scene.force_max <= yield.elastic_force)
         for (std::size_t c = 0; c < coefficient_names.size(); ++c)
           if (!is_close(row.law[c], elastic[c], elastic_tolerance))
             findings.add(Grade::error,
@@ -187,6 +186,25 @@ namespace dpcontact
     }
   } // namespace
 
+  namespace
+  {
+    /// What rows say themselves, once.
+    void warn_of_warnings(const std::vector<Record> &rows, Findings &findings)
+    {
+      std::size_t   warned = 0;
+      const Record *first  = nullptr;
+      for (const Record &row : rows)
+        if (!row.warnings.empty() && warned++ == 0)
+          first = &row;
+      if (warned > 0)
+        findings.add(Grade::warning,
+                     "rows",
+                     std::to_string(warned) + " of " + std::to_string(rows.size()) +
+                       " were computed with a warning, as " + label(first->input) + ": " +
+                       first->warnings);
+    }
+  } // namespace
+
   void check_rows_said(const Provenance &provenance, const std::size_t rows, Findings &findings)
   {
     const auto said = provenance.find("rows");
@@ -225,6 +243,7 @@ namespace dpcontact
              {std::log(row.law.a), row.law.b, std::log(row.law.m), row.law.n},
              where});
       }
+    warn_of_warnings(database.records, findings);
     for (auto &[key, places] : families)
       check_smooth(std::move(places), findings);
     return findings.sorted();

@@ -53,7 +53,7 @@ namespace dpcontact
     const CsvTable csv(file.string(), read_with_digest(file));
     Database       database;
     if (csv.comments().empty() || csv.comments().front() != database_title)
-      throw CorruptData(file.string() + " is not a table of this program");
+      throw CorruptData(file.string() + " is not a table of rows, as `dpcontact export` writes it");
     std::string version;
     for (const std::string &line : csv.comments())
       {

@@ -3,6 +3,7 @@
 #include "database/rows/uncertainty.h"
 #include "fitting/curve_fit.h"
 #include "solver/closed_form/first_yield.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/laws/strengths.h"
 #include "solver/path/solution.h"
 
@@ -136,8 +137,7 @@ namespace dpcontact
                 solution.cost.wall_seconds,
                 solution.cost.peak_memory_bytes};
 
-    for (const std::string &warning : solution.warnings)
-      row.warnings += (row.warnings.empty() ? "" : "; ") + warning;
+    row.warnings = joined(solution.warnings);
 
     row.curve        = solution.curve;
     row.peak_profile = solution.peak_profile;

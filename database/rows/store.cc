@@ -262,6 +262,10 @@ namespace dpcontact
   Database read_store(const fs::path &file)
   {
     const std::string bytes = read_with_digest(file);
+    if (!begins_as_hdf5(bytes))
+      throw CorruptData(file.string() +
+                        " is not a database of this program: it is no HDF5 file, as `dpcontact "
+                        "sweep` writes it (.h5); a CSV table has no curves");
     // Whoever alters a file can renew its digest.
     const ChildReading reading = read_in_child(file, bytes);
     if (reading.code == ExitCode::settings_mismatch)

@@ -102,12 +102,15 @@ namespace dpcontact
                                     const Material &material,
                                     const Scene    &scene)
   {
-    const double         safety = is_calibrated(material) ? 1 : uncalibrated;
+    const auto &second = scene.second;
+    const bool  calibrated =
+      is_calibrated(material) && (!second || !second->material || is_calibrated(*second->material));
+    const double         safety = calibrated ? 1 : uncalibrated;
     const auto           values = coefficients(fit);
     const auto           fits   = fit_errors(fit);
     const SolverOptions &used   = solution.used;
     const bool           closed = solution.cost.dofs == 0;
-    const double         kappa  = solution.curve.loading.back().contact_radius / scene.radius;
+    const double kappa   = solution.curve.loading.back().contact_radius / scene.smaller_radius();
     const double hertz   = fit.approach_yield * std::pow(fit.force_max / fit.force_yield, 2. / 3);
     const double excess  = fit.approach_max / hertz - 1;
     const double refined = static_cast<double>(1u << used.refinements);

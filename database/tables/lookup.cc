@@ -7,6 +7,8 @@
 #include "database/tables/universal_checks.h"
 #include "fitting/conventions.h"
 #include "meshing/errors.h"
+#include "solver/closed_form/plausibility.h"
+#include "solver/problem/quantity.h"
 
 #include <cmath>
 #include <optional>
@@ -41,6 +43,46 @@ namespace dpcontact
               uncertainty.b,
               converted_uncertainty(converted.m, uncertainty.m / values.m, uncertainty.n),
               uncertainty.n};
+    }
+
+    /// The relative error of an approach that the relative errors of a coefficient and its exponent
+    /// make which a finite radius leaves in them.
+    double
+    finite_radius_error(const double approach, const double exponent, const double *const errors)
+    {
+      return approach > 0
+               ? (errors[0] + std::abs(std::log(approach)) * exponent * errors[1]) / exponent
+               : 0.;
+    }
+
+    /// What no contact does is no answer, however it was come by.
+    void require_possible(const LookupResult &result)
+    {
+      const Coefficients &law    = result.coefficients;
+      const auto          refuse = [&](const std::string &what) {
+        throw InputError(std::string("lookup: method ") + to_string(result.method) +
+                         " has no possible law here: " + what +
+                         "; solve computes the case, --method similarity knows more of them");
+      };
+      const auto number = [](const double value) {
+        return format_quantity(value, Dimension::number);
+      };
+      for (std::size_t c = 0; c < coefficient_names.size(); ++c)
+        if (!(std::isfinite(law[c]) && law[c] > 0))
+          refuse(std::string(coefficient_names[c]) + " is " + number(law[c]) +
+                 ", which is not finite and positive");
+      if (!(law.n >= 1))
+        refuse("the exponent of unloading n is " + number(law.n) + ", below 1");
+      const double peak = result.peak_approach.value, residual = result.residual_approach.value;
+      if (!(std::isfinite(peak) && peak > 0))
+        refuse("the approach at the peak is " + number(peak) + " m");
+      // Where nothing yields it is zero but for rounding, or for what a method does not know.
+      const double unknown = std::isnan(result.residual_approach.uncertainty)
+                               ? 0.
+                               : result.residual_approach.uncertainty;
+      if (!(residual < peak) || !(residual >= -std::max(1e-9 * peak, unknown)))
+        refuse("the residual approach is " + number(residual / peak) +
+               " of that at the peak, outside 0 to 1");
     }
 
     /// Approaches of the power laws, and the first order of their uncertainty.
@@ -102,8 +144,14 @@ namespace dpcontact
              published_coefficient(law.a, law.b), law.b, published_coefficient(law.m, law.n), law.n};
     result.published_uncertainty =
       converted_uncertainties(result.published, law, result.uncertainty);
-    result.peak_approach = {value.approach * scale, value.approach * value.approach_error * scale};
-    result.residual_approach = {value.residual_approach * scale, value.residual_error * scale};
+    const double recovered = value.approach - value.residual_approach;
+    const double at_peak = value.approach * finite_radius_error(value.approach, law.b, &finite[0]);
+    const double on_return   = recovered * finite_radius_error(recovered, law.n, &finite[2]);
+    const double residual    = result.elastic() ? 0 : value.residual_error + at_peak + on_return;
+    result.peak_approach     = {value.approach * scale,
+                                (value.approach * value.approach_error + at_peak) * scale};
+    result.residual_approach = {value.residual_approach * scale, residual * scale};
+    result.warnings          = doubts_about(input, kappa * input.scene.radius);
     result.residual_eq18     = value.residual_eq18 * scale;
     result.residual_of_law   = value.residual_of_law * scale;
     result.law_exponent      = value.law_exponent;
@@ -126,19 +174,24 @@ namespace dpcontact
     check_range("radius", input.scene.radius, materials.radius, materials.radius, outside);
     check_range(
       "force-max", input.scene.force_max, materials.force_max, materials.force_max, outside);
-    const MaterialEstimate estimate = estimator->at(point);
-    result.published                = Coefficients::from(estimate.value);
-    result.published_uncertainty    = Coefficients::from(estimate.uncertainty);
-    const Coefficients &published   = result.published;
-    result.coefficients             = {consistent_coefficient(published.a, published.b),
-                                       published.b,
-                                       consistent_coefficient(published.m, published.n),
-                                       published.n};
+    const MaterialEstimate   estimate = estimator->at(point);
+    const MaterialTable::Row of_rows  = materials.errors_around(point);
+    result.published                  = Coefficients::from(estimate.value);
+    for (std::size_t c = 0; c < coefficient_names.size(); ++c)
+      result.published_uncertainty[c] = estimate.uncertainty[c] + of_rows.error[c];
+    const Coefficients &published = result.published;
+    result.coefficients           = {consistent_coefficient(published.a, published.b),
+                                     published.b,
+                                     consistent_coefficient(published.m, published.n),
+                                     published.n};
     result.uncertainty =
       converted_uncertainties(result.coefficients, published, result.published_uncertainty);
     enter_approaches(result);
+    result.peak_approach.uncertainty += of_rows.peak_misfit * result.peak_approach.value;
+    result.residual_approach.uncertainty += of_rows.residual_misfit * result.peak_approach.value;
     result.residual_of_law = result.residual_eq18;
     result.law_exponent    = published.n;
+    result.warnings        = doubts_about(input);
   }
 
   LookupTable::LookupTable(const LookupMethod           method,
@@ -163,26 +216,28 @@ namespace dpcontact
   LookupTable::~LookupTable()                       = default;
   LookupTable::LookupTable(LookupTable &&) noexcept = default;
 
-  LookupResult LookupTable::at(const Case &input, const Outside outside) const
+  LookupResult LookupTable::at(const Case &input, const Outside outside, const Laws laws) const
   {
     if (!is_tabulated_kind(input.material))
       throw InputError(std::string("lookup: the tables hold ") + tabulated_kind +
                        " only; solve computes the others");
     if (outside == Outside::refuse)
-      return estimate(input, outside);
+      return estimate(input, outside, laws);
     try
       {
-        return estimate(input, Outside::refuse);
+        return estimate(input, Outside::refuse, laws);
       }
     catch (const InputError &)
       {
-        LookupResult result = estimate(input, outside);
+        LookupResult result = estimate(input, outside, laws);
         forget_uncertainty(result);
+        result.warnings.emplace_back("the case lies outside the data: no uncertainty is known");
         return result;
       }
   }
 
-  LookupResult LookupTable::estimate(const Case &input, const Outside outside) const
+  LookupResult
+  LookupTable::estimate(const Case &input, const Outside outside, const Laws laws) const
   {
     LookupResult result;
     result.method     = content->method;
@@ -192,6 +247,8 @@ namespace dpcontact
       content->by_similarity(input, outside, result);
     else
       content->by_material(input, outside, result);
+    if (laws == Laws::possible)
+      require_possible(result);
     return result;
   }
 } // namespace dpcontact

@@ -68,6 +68,17 @@ namespace dpcontact
     double                  law_exponent    = Coefficients::unset;
     LookupParts             parts;
     std::vector<CurvePoint> loading; ///< of similarity the master curve
+    /// Whether nothing yields, so that the law is Hertz's.
+    bool elastic() const { return load_level * yield.force <= yield.elastic_force; }
+
+    std::vector<std::string> warnings; ///< doubts_about() the case; that it lies outside the data
+  };
+
+  /// Whether an answer must be a law that a contact may have: 0 ≤ δ_res < δ_max, n ≥ 1, all finite.
+  enum class Laws
+  {
+    possible,
+    any ///< for studies of how good a method is
   };
 
   class MaterialMethod;
@@ -91,10 +102,12 @@ namespace dpcontact
     /// @throws InputError for a kind of material that the tables do not hold, and naming the axis and
     /// its range where the case lies outside and `outside` refuses. Otherwise no uncertainty is
     /// known there: NaN.
-    LookupResult at(const Case &input, Outside outside = Outside::refuse) const;
+    /// @throws InputError also where a law that is not possible comes of it, unless `laws` are any.
+    LookupResult
+    at(const Case &input, Outside outside = Outside::refuse, Laws laws = Laws::possible) const;
 
   private:
-    LookupResult estimate(const Case &input, Outside outside) const;
+    LookupResult estimate(const Case &input, Outside outside, Laws laws) const;
 
     struct Content;
     std::unique_ptr<Content> content;

@@ -33,8 +33,11 @@ namespace dpcontact
     {
       MaterialPoint         point;
       std::array<double, 4> published; ///< as in MaterialEstimate
+      std::array<double, 4> error{};   ///< the total that the row states, of each
+      double peak_misfit{};            ///< approach of the law over that of the curve − 1, ≥ 0
+      double residual_misfit{}; ///< of eq (18) against the curve, over the peak's approach, ≥ 0
     };
-    std::vector<Row> rows;
+    std::vector<Row> rows; ///< in the order of E, ν, φ, σ_c, whatever that of the database was
     double           radius, force_max; ///< of all rows, m and N
 
     /// Takes the rows of a database.
@@ -44,6 +47,11 @@ namespace dpcontact
 
     /// @throws InputError naming axis and range where the point lies outside.
     void check_inside(const MaterialPoint &point, Outside outside) const;
+
+    /// What the rows around a point do not know themselves, which no method makes better: of each
+    /// error and misfit the largest of the rows in the cell of the grid that holds the point.
+    /// Beyond the grid its nearest cell counts.
+    Row errors_around(const MaterialPoint &point) const;
 
     /// The table without one row, counted from 0, for leave-one-out validation.
     MaterialTable without(std::size_t row) const;

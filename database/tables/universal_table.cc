@@ -365,7 +365,7 @@ namespace dpcontact
   {
     const CsvTable csv(name, text);
     if (csv.comments().empty() || csv.comments().front() != universal_title)
-      throw CorruptData(name + " is not a universal table of this program");
+      throw CorruptData(name + " is not a universal table, as `dpcontact table` writes it");
     Provenance provenance;
     for (const std::string &line : csv.comments())
       if (const auto colon = line.find(": ");

@@ -5,9 +5,12 @@
 #include "runs/interface/case_input.h"
 #include "runs/interface/documents.h"
 #include "runs/interface/outputs.h"
+#include "runs/interface/warnings.h"
 #include "solver/closed_form/first_yield.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/problem/quantity.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -16,12 +19,14 @@ namespace dpcontact::commands
 {
   namespace
   {
+    constexpr double least_exponent = 1, largest_exponent = 3; ///< of a law's powers
+
     struct CollideOptions
     {
       SettingTexts        texts;
       std::string         parameter_file, table, radius_2;
       std::vector<double> row;
-      double              density = 0, velocity = 0;
+      std::string         density, velocity;
       unsigned int        steps = 20000;
       bool                json  = false;
     };
@@ -29,30 +34,46 @@ namespace dpcontact::commands
     ExitCode run(const CollideOptions &options)
     {
       check_files({{options.table, options.parameter_file}, {}});
-      const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
+      const Case input = read_body(merged(options.parameter_file, body_settings(), options.texts));
       const double radius   = input.scene.radius;
       const double radius_2 = options.radius_2.empty()
                                 ? radius
                                 : parse_quantity("radius-2", options.radius_2, Dimension::length);
+      for (const std::size_t exponent : {1u, 3u})
+        if (const double value = options.row.empty() ? 1.5 : options.row[exponent];
+            !(value >= least_exponent && value <= largest_exponent))
+          throw InputError("collide: the exponent " + std::string(coefficient_names[exponent]) +
+                           " of --row is " + format_quantity(value, Dimension::number) +
+                           "; those of contacts are about 1.5, and it must be from 1 to 3");
       if (options.table.empty() == options.row.empty())
         throw InputError("collide: give --table for the universal law, or --row a,b,m,n");
+      auto doubts = doubts_about(input.material, radius);
+      if (radius_2 != radius)
+        for (const std::string &doubt : doubts_about(input.material, radius_2))
+          if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end())
+            doubts.push_back(doubt);
       const FirstYield       yield = first_yield(input.material, radius);
       const ContactLaw       law   = options.table.empty()
                                        ? contact_law(input, options.row, yield)
                                        : contact_law(input, read_universal_table(options.table));
-      const CollidingSpheres spheres{radius, radius_2, options.density, options.velocity};
-      const Collision        hit  = collide(law, spheres, options.steps);
-      const double           half = ContactLaw::effective_radius(radius, radius_2);
+      const CollidingSpheres spheres{
+        radius,
+        radius_2,
+        parse_quantity("density", options.density, Dimension::density),
+        parse_quantity("velocity", options.velocity, Dimension::velocity)};
+      const Collision hit  = collide(law, spheres, options.steps);
+      const double    half = ContactLaw::effective_radius(radius, radius_2);
       if ((hit.flags & contact_extrapolated) != 0)
-        std::cerr << "dpcontact: warning: the peak lies beyond the universal table\n";
+        doubts.emplace_back("the peak lies beyond the universal table");
       if ((hit.flags & contact_strain_large) != 0)
-        std::cerr << "dpcontact: warning: small strain is left behind: a/R > 0.1 at the peak\n";
+        doubts.emplace_back("small strain is left behind: a/R > 0.1 at the peak");
+      print_warnings(doubts);
       if (options.json)
         print_document({{"material", material_json(input)},
                         {"radius", radius},
                         {"radius_2", radius_2},
-                        {"density", options.density},
-                        {"velocity", options.velocity},
+                        {"density", spheres.density},
+                        {"velocity", spheres.velocity},
                         {"effective_mass", spheres.effective_mass()},
                         {"peak_overlap", hit.peak_overlap},
                         {"peak_force", hit.peak_force},
@@ -62,7 +83,8 @@ namespace dpcontact::commands
                         {"restitution", hit.restitution},
                         {"residual_overlap", hit.residual_overlap},
                         {"strain_large", (hit.flags & contact_strain_large) != 0},
-                        {"extrapolated", (hit.flags & contact_extrapolated) != 0}});
+                        {"extrapolated", (hit.flags & contact_extrapolated) != 0},
+                        {"warnings", joined(doubts)}});
       else
         std::cout << "peak     force " << format_quantity(hit.peak_force, Dimension::force) << " ("
                   << format_quantity(hit.peak_force / law.force_yield(half), Dimension::number)
@@ -79,12 +101,14 @@ namespace dpcontact::commands
   void add_collide(CLI::App &command, Action &action)
   {
     const auto options = std::make_shared<CollideOptions>();
-    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(command, body_settings(), options->texts, "Material and first sphere");
     command
       .add_option("--radius-2", options->radius_2, "radius of the second sphere [the first's]")
       ->type_name("");
-    command.add_option("--density", options->density, "of both, kg/m3")->required()->type_name("");
-    command.add_option("--velocity", options->velocity, "of approach, m/s")
+    command.add_option("--density", options->density, "of both, as 2650kg/m3 [required]")
+      ->required()
+      ->type_name("");
+    command.add_option("--velocity", options->velocity, "of approach, as 1m/s [required]")
       ->required()
       ->type_name("");
     command.add_option("--table", options->table, "universal table, for the universal law")

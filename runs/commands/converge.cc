@@ -2,7 +2,9 @@
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/interruption.h"
 #include "runs/interface/version.h"
+#include "runs/interface/warnings.h"
 #include "runs/studies/convergence.h"
 #include "solver/parallel/environment.h"
 #include "solver/problem/quantity.h"
@@ -135,8 +137,12 @@ namespace dpcontact::commands
       const Case          input = read_case(texts);
       const SolverOptions used  = read_solver_options(texts);
       const Environment   environment;
-      const Convergence   found = study_convergence(input, used, [](const std::string &text) {
-        std::cerr << "converge: " << text << std::endl;
+      print_doubts({input});
+      const InterruptionMessage interruption("nothing is kept, and the same command begins again");
+      const Convergence         found = with_case(input, [&] {
+        return study_convergence(input, used, [](const std::string &text) {
+          std::cerr << "converge: " << text << std::endl;
+        });
       });
       if (options.json)
         print_document(document_of(input, used, found));

@@ -6,6 +6,8 @@
 #include "runs/interface/case_input.h"
 #include "runs/interface/lookup_documents.h"
 #include "runs/interface/outputs.h"
+#include "runs/interface/warnings.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/problem/quantity.h"
 
 #include <iostream>
@@ -26,25 +28,61 @@ namespace dpcontact::commands
       bool         json        = false;
     };
 
-    /// Every combination of the lists given, one line each.
+    Outside outside_of(const LookupOptions &options)
+    {
+      return options.extrapolate ? Outside::extrapolate : Outside::refuse;
+    }
+
+    /// Every combination of the lists given, one line each, also those that have no answer.
     ExitCode write_grid(const LookupOptions &options, const LookupTable &table)
     {
       if (!options.curve.empty())
         throw InputError("lookup: a curve is of one scene; leave --curve or --csv out");
-      std::vector<std::pair<Case, LookupResult>> answers;
+      std::vector<LookupAnswer> answers;
+      std::size_t               refused = 0, doubtful = 0;
+      std::string               first_refused, first_doubtful;
       for (const Case &input :
            read_grid(merged(options.parameter_file, scene_settings(), options.texts)))
         {
-          answers.emplace_back(
-            input, table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse));
-          answers.back().second.loading = {}; // not in the table, and by far the most of an answer
+          answers.push_back({input, {}, ""});
+          LookupAnswer &answer = answers.back();
+          try
+            {
+              answer.result         = table.at(input, outside_of(options));
+              answer.result.loading = {}; // not in the table, and by far the most of an answer
+              if (!answer.result.warnings.empty() && doubtful++ == 0)
+                first_doubtful = label(input) + ": " + joined(answer.result.warnings);
+            }
+          catch (const InputError &error)
+            {
+              answer.refused           = error.what();
+              answer.result            = {};
+              answer.result.method     = parse_enum<LookupMethod>(options.method);
+              answer.result.yield      = first_yield(input.material, input.scene);
+              answer.result.load_level = input.scene.force_max / answer.result.yield.force;
+              if (refused++ == 0)
+                first_refused = label(input) + ": " + answer.refused;
+            }
         }
+      const std::string of_all = " of " + std::to_string(answers.size()) + " cases ";
+      if (refused == answers.size())
+        throw InputError("lookup: none of the cases is answered; the first, " + first_refused);
+      if (doubtful > 0)
+        print_warnings({std::to_string(doubtful) + of_all + "are doubtful, as " + first_doubtful});
+      if (refused > 0)
+        print_warnings({std::to_string(refused) + of_all + "are not answered, as " + first_refused +
+                        " (see the column status)"});
       write_file(options.csv, lookup_csv(answers));
       if (options.json)
-        print_document({{"csv", options.csv}, {"rows", answers.size()}});
+        print_document({{"csv", options.csv},
+                        {"rows", answers.size()},
+                        {"answered", answers.size() - refused},
+                        {"refused", refused},
+                        {"doubtful", doubtful}});
       else
-        std::cout << options.csv << ": " << answers.size() << " rows\n";
-      return ExitCode::success;
+        std::cout << options.csv << ": " << answers.size() << " rows, " << answers.size() - refused
+                  << " answered\n";
+      return refused > 0 ? ExitCode::incomplete : ExitCode::success;
     }
 
     ExitCode run(const LookupOptions &options)
@@ -65,7 +103,8 @@ namespace dpcontact::commands
         return write_grid(options, table);
       const Case input = read_case(merged(options.parameter_file, scene_settings(), options.texts));
       const LookupResult result =
-        table.at(input, options.extrapolate ? Outside::extrapolate : Outside::refuse);
+        with_case(input, [&] { return table.at(input, outside_of(options)); });
+      print_warnings(result.warnings);
       if (options.json)
         print_document(lookup_json(input, result, points));
       else
@@ -87,7 +126,13 @@ namespace dpcontact::commands
   void add_lookup(CLI::App &command, Action &action)
   {
     const auto options = std::make_shared<LookupOptions>();
-    add_settings(command, scene_settings(), options->texts, "Material and scene");
+    add_settings(
+      command, scene_settings(), options->texts, "Material and scene", [](const Setting &setting) {
+        for (const CaseParameter &parameter : case_parameters()) // what the tables hold
+          if (parameter.option() == setting.name)
+            return parameter.owners.empty();
+        return false;
+      });
     command
       .add_option("--method",
                   options->method,

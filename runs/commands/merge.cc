@@ -48,9 +48,13 @@ namespace dpcontact::commands
       .add_option(
         "SHARDS", options->shards, "the shards' row directories (NAME.shard-1-of-4.h5.rows ...)")
       ->required();
-    add_settings(command, sweep_settings(), options->texts, "MergeOptions");
-    add_settings(command, scene_settings(), options->texts, "Material and scene");
-    add_settings(command, solver_settings(), options->texts, "Solver");
+    add_settings(command,
+                 sweep_settings() + scene_settings() + solver_settings(),
+                 options->texts,
+                 "Sweep",
+                 [](const Setting &setting) { return setting.name == "database"; });
+    command.footer("Where the sweep was given options beside its file (material, scene, solver), "
+                   "merge is given the same.");
     add_replace_flag(command, options->replace);
     add_json_flag(command, options->json);
     command.callback([options, &action] { action = [options] { return run(*options); }; });

@@ -19,6 +19,16 @@ namespace dpcontact::commands
         ->group(group);
   }
 
+  void add_settings(CLI::App                                   &command,
+                    const std::vector<Setting>                 &settings,
+                    SettingTexts                               &texts,
+                    const std::string                          &group,
+                    const std::function<bool(const Setting &)> &shown)
+  {
+    for (const Setting &setting : settings)
+      add_settings(command, {setting}, texts, shown(setting) ? group : ""); // CLI11 hides no group
+  }
+
   void add_parameter_file(CLI::App &command, std::string &file)
   {
     command.add_option("--parameter-file", file, "a file that says the same; options override it")

@@ -5,6 +5,7 @@
 
 #include <CLI/App.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ namespace dpcontact::commands
                     const std::vector<Setting> &settings,
                     SettingTexts               &texts,
                     const std::string          &group);
+
+  /// As add_settings(), of those that `shown` holds for; the others are understood, and refused
+  /// where they must be, but stand in no help.
+  void add_settings(CLI::App                                   &command,
+                    const std::vector<Setting>                 &settings,
+                    SettingTexts                               &texts,
+                    const std::string                          &group,
+                    const std::function<bool(const Setting &)> &shown);
 
   /// Adds --parameter-file.
   void add_parameter_file(CLI::App &command, std::string &file);

@@ -1,9 +1,11 @@
 #include "runs/commands/program.h"
 
 #include "runs/commands/solver_parts.h"
+#include "runs/interface/spelling.h"
 #include "runs/interface/version.h"
 #include "solver/parallel/launcher.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -86,8 +88,77 @@ namespace dpcontact
       });
     }
 
+    /// "--sigma_c" of "--sigma_c=3".
+    std::string name_of(const std::string &argument)
+    {
+      return argument.substr(0, argument.find('='));
+    }
+
+    /// What was wrong with the command line, in one line, and what may have been meant.
+    std::string message_of(const CLI::ParseError &error, const CLI::App &program)
+    {
+      const auto        used = program.get_subcommands();
+      const std::string name = used.empty() ? "" : used.front()->get_name();
+      const std::string more =
+        "; `dpcontact " + name + (name.empty() ? "" : " ") + "--help` says what there is";
+      if (used.empty())
+        return "a command is missing" + more;
+      std::vector<std::string> options;
+      for (const CLI::Option *const option : used.front()->get_options())
+        for (const std::string &known : option->get_lnames())
+          options.push_back("--" + known);
+      for (const std::string &argument : used.front()->remaining(true))
+        if (argument.rfind("--", 0) == 0)
+          return name + " has no option " + name_of(argument) +
+                 suggestion(name_of(argument), options) + more;
+      std::string what = error.what();
+      std::replace(what.begin(), what.end(), '\n', ' ');
+      // CLI11's own words for two common slips
+      for (const auto &[words, plain] :
+           {std::pair{": At Most 1 required but received", " is given more than once:"},
+            std::pair{": 1 required  missing", " needs a value"}})
+        if (const auto at = what.find(words); at != std::string::npos)
+          what.replace(at, std::string(words).size(), plain);
+      return name + ": " + what + more;
+    }
+
+    std::vector<std::string> command_names()
+    {
+      std::vector<std::string> names;
+      for (const Command &one : all_commands)
+        names.emplace_back(one.name);
+      return names;
+    }
+
+    void require_command(const std::string &word)
+    {
+      const auto names = command_names();
+      if (std::find(names.begin(), names.end(), word) == names.end())
+        throw UsageError("there is no command '" + word + "'" + suggestion(word, names) +
+                         "; `dpcontact --help` lists them");
+    }
+
+    ExitCode run(int argc, const char *const *argv);
+
+    /// `dpcontact help` and `dpcontact help COMMAND`, as people try them.
+    ExitCode help(const int argc, const char *const *const argv)
+    {
+      std::vector<const char *> words{argv[0]};
+      if (argc > 2)
+        {
+          require_command(argv[2]);
+          words.push_back(argv[2]);
+        }
+      words.push_back("--help");
+      return run(static_cast<int>(words.size()), words.data());
+    }
+
     ExitCode run(const int argc, const char *const *argv)
     {
+      if (argc > 1 && std::string(argv[1]) == "help")
+        return help(argc, argv);
+      if (argc > 1 && argv[1][0] != '-')
+        require_command(argv[1]);
       CLI::App program(
         "Force laws of the elastic-plastic contact of two Drucker-Prager spheres.\n"
         "Quantities are SI; suffixes such as 10GPa, 15MPa, 100mm, 100N are understood; "
@@ -115,7 +186,9 @@ namespace dpcontact
       catch (const CLI::ParseError &error)
         {
           // Help and version are parse "errors" that succeed and go to standard output.
-          return program.exit(error) == 0 ? ExitCode::success : ExitCode::usage;
+          if (error.get_exit_code() == 0)
+            return static_cast<ExitCode>(program.exit(error));
+          throw UsageError(message_of(error, program));
         }
       return action();
     }
@@ -172,6 +245,13 @@ namespace dpcontact
         if (!std::cout)
           throw FileError("cannot write standard output");
         return static_cast<int>(code);
+      }
+    catch (const SolverError &error)
+      {
+        const int code = report("error", error.what(), error.code());
+        if (!error.log.empty())
+          std::cerr << "dpcontact: log: " << error.log << std::endl;
+        return code;
       }
     catch (const Error &error)
       {

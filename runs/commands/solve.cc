@@ -8,13 +8,17 @@
 #include "runs/interface/case_input.h"
 #include "runs/interface/checkpoint_file.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/interruption.h"
 #include "runs/interface/outputs.h"
 #include "runs/interface/result_files.h"
 #include "runs/interface/version.h"
+#include "runs/interface/warnings.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/parallel/environment.h"
 #include "solver/path/solution.h"
 #include "solver/problem/quantity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -67,40 +71,47 @@ namespace dpcontact::commands
                      const Solution      &solution,
                      const Record        &row)
     {
-      return {{"material", material_json(input)},
-              {"scene", scene_json(input)},
-              {"yield", yield_json(solution.yield)},
-              {"fit", fit_json(row)},
-              {"error", error_json(row)},
-              {"published_convention", published_json(row.fit.published)},
-              {"peak",
-               {{"force", row.curve.loading.back().force},
-                {"approach", row.state.approach_peak},
-                {"contact_radius", row.state.contact_radius_peak},
-                {"pressure", row.state.pressure_peak},
-                {"plastic_strain", row.state.plastic_strain_max}}},
-              {"residual_approach", row.state.approach_residual},
-              {"plastic_zone", plastic_zone_json(solution.plastic_zone)},
-              {"flow_zone", plastic_zone_json(solution.flow_zone)},
-              {"plastic_volume", row.state.plastic_volume},
-              {"dissipated_energy", row.state.dissipated_energy},
-              {"apex_points", row.state.apex_points},
-              {"step_error", solution.step_error},
-              {"checks", checks_json(solution.checks)},
-              {"cost", cost_json(row)},
-              {"axisymmetry_deviation", solution.axisymmetry_deviation},
-              {"linear_solver",
-               {{"solves", solution.cost.linear_solves},
-                {"iterations", solution.cost.linear_iterations},
-                {"processes", solution.cost.processes}}},
-              {"status", row.status},
-              {"reason", row.reason},
-              {"warnings", row.warnings},
-              {"options", options_json(used)},
-              {"used",
-               {{"surface-halvings", solution.used.surface_halvings.value_or(0)},
-                {"loading-steps", solution.used.loading_steps}}},
-              {"versions", versions()}};
+      Json document = {{"material", material_json(input)},
+                       {"scene", scene_json(input)},
+                       {"yield", yield_json(solution.yield)},
+                       {"fit", fit_json(row)},
+                       {"error", error_json(row)},
+                       {"published_convention", published_json(row.fit.published)},
+                       {"peak",
+                        {{"force", row.curve.loading.back().force},
+                         {"approach", row.state.approach_peak},
+                         {"contact_radius", row.state.contact_radius_peak},
+                         {"pressure", row.state.pressure_peak},
+                         {"plastic_strain", row.state.plastic_strain_max}}},
+                       {"residual_approach", row.state.approach_residual},
+                       {"plastic_zone", plastic_zone_json(solution.plastic_zone)},
+                       {"flow_zone", plastic_zone_json(solution.flow_zone)},
+                       {"second_plastic_zone", plastic_zone_json(solution.second_plastic_zone)},
+                       {"second_flow_zone", plastic_zone_json(solution.second_flow_zone)},
+                       {"plastic_volume", row.state.plastic_volume},
+                       {"dissipated_energy", row.state.dissipated_energy},
+                       {"apex_points", row.state.apex_points},
+                       {"step_error", solution.step_error},
+                       {"checks", checks_json(solution.checks)},
+                       {"cost", cost_json(row)},
+                       {"axisymmetry_deviation", solution.axisymmetry_deviation},
+                       {"linear_solver",
+                        {{"solves", solution.cost.linear_solves},
+                         {"iterations", solution.cost.linear_iterations},
+                         {"processes", solution.cost.processes}}},
+                       {"elastic", !(row.state.plastic_volume > 0)},
+                       {"status", row.status},
+                       {"reason", row.reason},
+                       {"warnings", row.warnings},
+                       {"options", options_json(used)},
+                       {"used",
+                        {{"surface-halvings", solution.used.surface_halvings.value_or(0)},
+                         {"loading-steps", solution.used.loading_steps}}},
+                       {"versions", versions()}};
+      if (!input.scene.second || !input.scene.second->material)
+        for (const char *const key : {"second_plastic_zone", "second_flow_zone"})
+          document.erase(key);
+      return document;
     }
 
     void print_for_people(const Case &input, const Solution &solution, const Record &row)
@@ -132,8 +143,10 @@ namespace dpcontact::commands
                 << " (mesh, load step, contact, far field, finite radius, fit; --json by source)\n"
                 << "accuracy  load step " << format_quantity(solution.step_error, Dimension::number)
                 << " of the peak force\n"
-                << describe_checks(solution.checks) << "status    " << row.status
-                << (row.reason.empty() ? "" : ": ") << row.reason << '\n';
+                << describe_checks(solution.checks)
+                << (row.state.plastic_volume > 0 ? "" : "elastic   nothing yields: Hertz\n")
+                << "status    " << row.status << (row.reason.empty() ? "" : ": ") << row.reason
+                << '\n';
     }
 
     /// Where results and state go; empty: nowhere.
@@ -246,8 +259,10 @@ namespace dpcontact::commands
 
     void report(const SolveOptions &options, const Task &task, const Result &result)
     {
-      if (!result.row.warnings.empty())
-        std::cerr << "dpcontact: warning: " << result.row.warnings << std::endl;
+      const std::vector<std::string> said = doubts_about(task.input);
+      for (const std::string &warning : result.solution.warnings)
+        if (std::find(said.begin(), said.end(), warning) == said.end())
+          print_warnings({warning});
       if (options.json)
         return print_document(result.document);
       print_for_people(task.input, result.solution, result.row);
@@ -266,7 +281,6 @@ namespace dpcontact::commands
                 read_solver_options(texts),
                 {find(texts, output_name).value_or(""), find(texts, checkpoint_name).value_or("")},
                 {}};
-      read_second_body(texts, task.input);
       task.inputs = {{"material", material_json(task.input)},
                      {"scene", scene_json(task.input)},
                      {"options", options_json(task.options)}};
@@ -280,15 +294,26 @@ namespace dpcontact::commands
                        {"revision", git_revision()}});
       const bool first = processes.rank() == 0;
       if (first)
-        prepare(task.places, options);
-      const Result result = solve(task, processes);
+        {
+          prepare(task.places, options);
+          print_doubts({task.input});
+        }
+      const Result result = with_case(task.input, [&] {
+        const InterruptionMessage interruption(
+          task.places.checkpoint.empty()
+            ? "nothing of the curve is kept; with --checkpoint FILE a run goes on where it was "
+              "stopped"
+            : "the state is kept in " + task.places.checkpoint.string() +
+                ", and the same command goes on from it");
+        return solve(task, processes);
+      });
       if (!first)
         return ExitCode::success;
       if (!task.places.checkpoint.empty())
         std::filesystem::remove(task.places.checkpoint);
       report(options, task, result);
       if (!result.row.converged())
-        throw SolverError(result.row.reason);
+        with_case(task.input, [&] { throw SolverError(result.row.reason); });
       return ExitCode::success;
     }
   } // namespace
@@ -302,7 +327,7 @@ namespace dpcontact::commands
                  options->texts,
                  "Second body (identical to the first unless one is given)");
     add_settings(command, solver_settings(), options->texts, "Solver");
-    add_settings(command, own_settings(), options->texts, "SolveOptions");
+    add_settings(command, own_settings(), options->texts, "Output");
     command.add_flag("--overwrite",
                      options->overwrite,
                      "remove the results that the directory of --output holds already");

@@ -6,6 +6,8 @@
 #include "runs/commands/sweep_options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/interruption.h"
+#include "runs/interface/warnings.h"
 #include "runs/sweep/rank_pool.h"
 #include "runs/sweep/sweep_jobs.h"
 #include "solver/parallel/environment.h"
@@ -117,9 +119,14 @@ namespace dpcontact::commands
     ExitCode run(const SweepOptions &options, RankPool *const ranks)
     {
       const Sweep sweep = sweep_of(options);
+      print_doubts(sweep.cases);
       if (options.dry_run)
         return list(sweep, options.json);
 
+      const InterruptionMessage interruption(
+        "the rows finished so far are kept in " +
+        RowStore::directory_of(database_of_share(sweep)).string() +
+        ", and the same command computes the others");
       const SweepSummary summary = run_sweep(sweep, ranks);
       if (options.json)
         {
@@ -157,7 +164,7 @@ namespace dpcontact::commands
     const auto options = std::make_shared<SweepOptions>();
     command.add_option("FILE", options->parameter_file, "parameter file with the grid (FILE.prm)")
       ->required();
-    add_settings(command, sweep_settings(), options->texts, "SweepOptions");
+    add_settings(command, sweep_settings(), options->texts, "Sweep");
     add_settings(command, scene_settings(), options->texts, "Material and scene");
     add_settings(command, solver_settings(), options->texts, "Solver");
     command

@@ -5,6 +5,8 @@
 #include "runs/commands/options.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/documents.h"
+#include "runs/interface/warnings.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/laws/law.h"
 #include "solver/problem/quantity.h"
 
@@ -38,29 +40,19 @@ namespace dpcontact::commands
               count_setting("points", "points of a meridian or of the section [121]")};
     }
 
-    /// Material alone: what a yield surface depends on, and what it does not.
-    std::vector<Setting> material_settings()
-    {
-      std::vector<Setting> settings = scene_settings();
-      for (const CaseParameter &parameter : case_parameters())
-        if (parameter.of_scene)
-          settings.erase(std::remove_if(settings.begin(),
-                                        settings.end(),
-                                        [&](const Setting &setting) {
-                                          return setting.name == parameter.option();
-                                        }),
-                         settings.end());
-      return settings;
-    }
-
     /// The material, with elastic constants of no consequence where none are given.
-    Case read_material(SettingTexts texts)
+    Material material_of(SettingTexts texts)
     {
       for (const Setting &setting : plane_settings())
         texts.erase(setting.name);
+      const bool has_modulus = find(texts, "E").has_value();
       texts.emplace("E", "1GPa");
       texts.emplace("nu", "0.25");
-      return read_case(texts);
+      Material material = read_body(texts).material, doubtful = material;
+      if (!has_modulus)
+        doubtful.youngs_modulus = std::numeric_limits<double>::quiet_NaN();
+      print_warnings(doubts_about(doubtful, Scene{}.radius));
+      return material;
     }
 
     std::vector<YieldSurfacePoint> meridians(const laws::Law   &law,
@@ -155,8 +147,7 @@ namespace dpcontact::commands
       for (const Setting &setting : plane_settings())
         if (const auto text = texts.find(setting.name); text != texts.end())
           setting.check(text->second);
-      const Case input = read_material(texts);
-      input.material.check();
+      const Case input{material_of(texts), {}};
 
       const auto         plane      = texts.find("plane");
       const bool         deviatoric = plane != texts.end() && plane->second == "deviatoric";

@@ -16,20 +16,26 @@ namespace dpcontact
   {
     /// What is not known, or not there, is null.
     Json number_json(const double value) { return std::isnan(value) ? Json() : Json(value); }
+
+    /// Those of all criteria, then the criterion's own.
+    void enter_parameters(const Material &material, Json &json)
+    {
+      const auto enter = [&](const MaterialParameter &parameter) {
+        if (parameter.get)
+          json[parameter.key()] = number_json(parameter.get(material));
+      };
+      for (const MaterialParameter &parameter : material_parameters())
+        if (parameter.owners.empty())
+          enter(parameter);
+      for (const MaterialParameter &own : definition_of(material.criterion).parameters)
+        enter(own);
+    }
   } // namespace
 
   Json material_json(const Case &input)
   {
-    Json       json  = {{"criterion", to_string(input.material.criterion)}};
-    const auto enter = [&](const MaterialParameter &parameter) {
-      if (parameter.get)
-        json[parameter.key()] = number_json(parameter.get(input.material));
-    };
-    for (const MaterialParameter &parameter : material_parameters())
-      if (parameter.owners.empty())
-        enter(parameter);
-    for (const MaterialParameter &own : definition_of(input.material.criterion).parameters)
-      enter(own);
+    Json json = {{"criterion", to_string(input.material.criterion)}};
+    enter_parameters(input.material, json);
     return json;
   }
 
@@ -45,9 +51,7 @@ namespace dpcontact
         body       = {{"radius", std::isinf(second->radius) ? Json("flat") : Json(second->radius)},
                       {"rigid", !second->material}};
         if (second->material)
-          for (const MaterialParameter &parameter : material_parameters())
-            if (parameter.of_second_body)
-              body[parameter.key()] = parameter.get(*second->material);
+          enter_parameters(*second->material, body);
       }
     return json;
   }
@@ -243,22 +247,17 @@ namespace dpcontact
 
   std::string describe_fit(const Record &row)
   {
-    const auto with_error = [](const double value, const double standard_error) {
-      return format_quantity(value, Dimension::number) + " +- " +
-             format_quantity(standard_error, Dimension::number);
+    const auto with_error = [&row](const std::size_t c) {
+      return format_uncertain(row.law[c], row.error[c].total, Dimension::number);
     };
     const auto quality = [](const FitQuality &of) {
       return ", R2 = " + format_quantity(of.r2, Dimension::number) +
              ", RMSE = " + format_quantity(of.rmse, Dimension::number) + " of the peak force";
     };
-    return "loading   F/F_y = a (approach/approach_y)^b: a = " +
-           with_error(row.law.a, row.fit.standard_error.a) +
-           ", b = " + with_error(row.law.b, row.fit.standard_error.b) +
-           quality(row.fit.loading.power_law) +
-           "\nunloading F/F_y = m ((approach - residual)/approach_y)^n: m = " +
-           with_error(row.law.m, row.fit.standard_error.m) +
-           ", n = " + with_error(row.law.n, row.fit.standard_error.n) +
-           quality(row.fit.unloading.power_law) +
+    return "loading   F/F_y = a (approach/approach_y)^b: a = " + with_error(0) +
+           ", b = " + with_error(1) + quality(row.fit.loading.power_law) +
+           "\nunloading F/F_y = m ((approach - residual)/approach_y)^n: m = " + with_error(2) +
+           ", n = " + with_error(3) + quality(row.fit.unloading.power_law) +
            "\n          published convention (approach_y per sphere): a = " +
            format_quantity(row.fit.published.a, Dimension::number) +
            ", m = " + format_quantity(row.fit.published.m, Dimension::number);

@@ -1,6 +1,7 @@
 #include "runs/interface/lookup_documents.h"
 
 #include "database/files/csv.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/problem/quantity.h"
 
 #include <algorithm>
@@ -105,7 +106,9 @@ namespace dpcontact
         {"numerical", by_name(result.parts.numerical)},
         {"finite_radius", by_name(result.parts.finite_radius)},
         {"power_law_misfit", by_name(result.parts.power_law_misfit)}};
-    document = known(document);
+    document             = known(document);
+    document["elastic"]  = result.elastic();
+    document["warnings"] = joined(result.warnings);
     if (curve_points > 0)
       document["curve"] = lookup_curve_json(result, curve_points);
     return document;
@@ -114,14 +117,12 @@ namespace dpcontact
   std::string describe(const Case &input, const LookupResult &result)
   {
     const auto with = [](const Uncertain &number, const Dimension dimension) {
-      return format_quantity(number.value, dimension) +
-             (std::isnan(number.uncertainty)
-                ? ""
-                : " +- " + format_quantity(number.uncertainty, dimension));
+      return format_uncertain(number.value, number.uncertainty, dimension);
     };
-    std::string text =
-      label(input) + "\n" + describe(result.yield) + "\nby        " + to_string(result.method) +
-      ", F_max/F_y = " + format_quantity(result.load_level, Dimension::number) + "\nlaw       ";
+    std::string text = label(input) + "\n" + describe(result.yield) + "\nby        " +
+                       to_string(result.method) +
+                       ", F_max/F_y = " + format_quantity(result.load_level, Dimension::number) +
+                       (result.elastic() ? "; nothing yields: Hertz" : "") + "\nlaw       ";
     for (std::size_t c = 0; c < coefficient_names.size(); ++c)
       text += (c > 0 ? ", " : "") + std::string(coefficient_names[c]) + " = " +
               with({result.coefficients[c], result.uncertainty[c]}, Dimension::number);
@@ -136,7 +137,7 @@ namespace dpcontact
            ", by eq (18) " + format_quantity(result.residual_eq18, Dimension::length) + "\n";
   }
 
-  std::string lookup_csv(const std::vector<std::pair<Case, LookupResult>> &answers)
+  std::string lookup_csv(const std::vector<LookupAnswer> &answers)
   {
     CsvFormat format;
     format.nan = CsvFormat::NotANumber::empty;
@@ -168,9 +169,11 @@ namespace dpcontact
                   "approach_peak_m",
                   "approach_peak_uncertainty_m",
                   "approach_residual_m",
-                  "approach_residual_uncertainty_m"});
+                  "approach_residual_uncertainty_m",
+                  "warnings",
+                  "status"});
     csv.header(names);
-    for (const auto &[input, found] : answers)
+    for (const auto &[input, found, refused] : answers)
       {
         csv.add(std::string(to_string(found.method)));
         for (const CaseParameter &parameter : stored_parameters())
@@ -190,6 +193,8 @@ namespace dpcontact
                                    found.residual_approach.value,
                                    found.residual_approach.uncertainty})
           csv.add(value);
+        csv.add(joined(found.warnings));
+        csv.add(refused.empty() ? std::string("answered") : refused);
         csv.end_row();
       }
     return csv.text();

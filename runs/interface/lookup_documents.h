@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dpcontact
@@ -26,9 +25,18 @@ namespace dpcontact
   /// The same for a person, with units.
   std::string describe(const Case &input, const LookupResult &result);
 
+  /// One case of a grid, and what the table says about it.
+  struct LookupAnswer
+  {
+    Case         input;
+    LookupResult result;  ///< where it answers
+    std::string  refused; ///< why it does not; otherwise empty
+  };
+
   /// One line an answer: inputs, a, b, m, n in both conventions with their uncertainties, F_y, δ_y,
-  /// peak and residual approach; lines that begin with `#` give units. What is not known is empty.
-  std::string lookup_csv(const std::vector<std::pair<Case, LookupResult>> &answers);
+  /// peak and residual approach, warnings, and a `status`: "answered" or why not. Lines that begin
+  /// with `#` give units. What is not known is empty.
+  std::string lookup_csv(const std::vector<LookupAnswer> &answers);
 } // namespace dpcontact
 
 #endif

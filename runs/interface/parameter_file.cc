@@ -2,14 +2,17 @@
 
 #include "database/files/regular_file.h"
 #include "meshing/errors.h"
+#include "runs/interface/spelling.h"
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <regex>
 #include <sstream>
@@ -96,10 +99,24 @@ namespace dpcontact
     constexpr std::size_t    deepest_include = 8;
     constexpr std::uintmax_t largest_file    = std::uintmax_t(1) << 24;
 
+    /// The name of an entry "set NAME = VALUE"; empty where the line is none.
+    std::string entry_name(const std::string &line)
+    {
+      const auto equals = line.find('=');
+      if (equals == std::string::npos || (line.rfind("set ", 0) != 0 && line.rfind("SET ", 0) != 0))
+        return "";
+      return dealii::Utilities::trim(line.substr(4, equals - 4));
+    }
+
     /// deal.II's reader, which calls its own parse_input() for a file that is included.
     class LimitedHandler : public dealii::ParameterHandler
     {
     public:
+      /// @param known the names of all entries.
+      explicit LimitedHandler(std::vector<std::string> known)
+        : names(std::move(known))
+      {}
+
       using dealii::ParameterHandler::parse_input;
 
       void parse_input(std::istream      &input,
@@ -114,31 +131,67 @@ namespace dpcontact
       }
 
     private:
-      std::size_t depth = 0;
+      std::size_t              depth = 0;
+      std::vector<std::string> names;
 
       /// The lines, every entry that goes on over several joined in the first of them (the others
       /// become empty, so that numbers of lines stay), without comments. What they include is
       /// looked at before deal.II opens it.
       std::string checked_lines(std::istream &input, const std::string &file) const
       {
-        std::string result;
+        std::string                        result;
+        std::map<std::string, std::size_t> seen; // the line of an entry
+        std::size_t                        number = 0;
         for (std::string line; std::getline(input, line);)
           {
+            const std::size_t first = ++number;
+            if (first == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
+              line.erase(0, 3); // the mark that some editors put before UTF-8
             std::string entry = dealii::Utilities::trim(line), empty_lines;
             while (!entry.empty() && entry.back() == '\\')
               {
                 entry.pop_back();
                 if (!std::getline(input, line))
                   break;
+                ++number;
                 entry += dealii::Utilities::trim(line);
                 empty_lines += '\n';
               }
             entry = with_single_blanks(entry.substr(0, entry.find('#')));
             if (entry.rfind("include ", 0) == 0 || entry.rfind("INCLUDE ", 0) == 0)
               check_included(entry.substr(8), file);
+            else
+              check_entry(entry, file + ":" + std::to_string(first) + ": ", seen, first);
             result += entry + '\n' + empty_lines;
           }
         return result;
+      }
+
+      /// An entry is known, stands once in its file (one that the file includes it may override),
+      /// and is not without its "set".
+      void check_entry(const std::string                  &entry,
+                       const std::string                  &place,
+                       std::map<std::string, std::size_t> &seen,
+                       const std::size_t                   line) const
+      {
+        const std::string name   = entry_name(entry);
+        const auto        equals = entry.find('=');
+        if (name.empty())
+          {
+            const std::string word = dealii::Utilities::trim(entry.substr(0, equals));
+            if (equals != std::string::npos && !nearest(word, names).empty())
+              throw InputError(place + "'" + shortened(entry) + "' is no entry: write 'set " +
+                               nearest(word, names) + " =" + shortened(entry.substr(equals + 1)) +
+                               "'");
+            return;
+          }
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          throw InputError(place + "there is no entry " + shortened(name) +
+                           suggestion(name, names));
+        const auto [earlier, is_new] = seen.emplace(name, line);
+        if (!is_new)
+          throw InputError(place + name + " is set twice, first in line " +
+                           std::to_string(earlier->second) + ": leave one of them out");
       }
 
       void check_included(const std::string &included, const std::string &file) const
@@ -160,8 +213,11 @@ namespace dpcontact
     if (!input)
       throw FileError("cannot read " + file.string() + ": " + std::strerror(errno));
 
-    const auto     complaint = std::make_shared<std::string>();
-    LimitedHandler handler;
+    const auto               complaint = std::make_shared<std::string>();
+    std::vector<std::string> names;
+    for (const Setting &setting : allowed)
+      names.push_back(setting.name);
+    LimitedHandler handler(names);
     for (const Setting &setting : allowed)
       handler.declare_entry(setting.name, unset, SettingPattern(setting, complaint), setting.help);
 

@@ -5,7 +5,6 @@
 #include "solver/problem/quantity.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace dpcontact
 {
@@ -15,8 +14,10 @@ namespace dpcontact
                            const bool         list)
   {
     return {name, help, [name, dimension, list](const std::string &text) {
-              for (const std::string &part : list ? split_list(text) : std::vector{text})
-                parse_quantity(name, part, dimension);
+              if (list)
+                parse_quantities(name, text, dimension);
+              else
+                parse_quantity(name, text, dimension);
             }};
   }
 
@@ -53,21 +54,6 @@ namespace dpcontact
   {
     const auto found = texts.find(name);
     return found == texts.end() ? std::nullopt : std::make_optional(found->second);
-  }
-
-  std::vector<std::string> split_list(const std::string &text)
-  {
-    const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
-    if (commas >= longest_list)
-      throw InputError("a list has " + std::to_string(commas + 1) +
-                       " values; it may have at most " + std::to_string(longest_list));
-    std::vector<std::string> parts;
-    std::istringstream       stream(text);
-    for (std::string part; std::getline(stream, part, ',');)
-      parts.push_back(part);
-    if (text.empty() || text.back() == ',')
-      parts.emplace_back();
-    return parts;
   }
 
   std::vector<Setting> solver_settings()

@@ -43,13 +43,6 @@ namespace dpcontact
   /// The text of a setting, where it is set.
   std::optional<std::string> find(const SettingTexts &texts, const std::string &name);
 
-  /// How many values a list may have.
-  constexpr std::size_t longest_list = 100000;
-
-  /// The parts of a list, which commas separate; at least one, and empty where nothing stands.
-  /// @throws InputError where there are more than `longest_list`.
-  std::vector<std::string> split_list(const std::string &text);
-
   /// The options of the solver; each is one value for a whole sweep.
   std::vector<Setting> solver_settings();
 

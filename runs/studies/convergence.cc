@@ -24,6 +24,7 @@ namespace dpcontact
     constexpr unsigned int few_steps           = 32;
     constexpr unsigned int finite_radius_cells = 20;  ///< resolution of the study of a/R
     constexpr double       largest_cap         = 0.8; ///< its domain over R, at most
+    constexpr double       least_cap           = 10;  ///< its domain over a, at least
 
     std::string number(const double value) { return format_quantity(value, Dimension::number); }
 
@@ -50,12 +51,16 @@ namespace dpcontact
         }
     }
 
+    /// At 4, 2 and 1 times the scene's a/R, or at less where the domain of a larger one would not
+    /// fit into the sphere.
     ErrorStudy
     study_finite_radius(const Case &input, const SolverOptions &options, const Solution &base)
     {
       ErrorStudy   study{"finite_radius", "a/R", {}, {}, {}, {}};
       const double kappa = base.curve.loading.back().contact_radius / input.scene.radius;
-      for (const double factor : {4., 2., 1.})
+      const double most  = std::min(4., largest_cap / (least_cap * kappa) * (1 - 1e-12));
+      const std::array<double, 3> factors{most, most / 2, most / 4};
+      for (const double factor : factors)
         {
           // The same Λ at a larger a/R: F_y grows like σc³, the radius of the contact like σc.
           Case scaled = input;
@@ -77,13 +82,13 @@ namespace dpcontact
             level.values[c] = curved[c] - flat[c];
           study.levels.push_back(level);
         }
-      // Least squares of k₁ κ + k₂ κ² over κ = 4, 2, 1 times the scene's a/R.
+      // Least squares of k₁ κ + k₂ κ² over the factors, at the factor 1.
       for (unsigned int c = 0; c < 4; ++c)
         {
           double s2 = 0, s3 = 0, s4 = 0, y1 = 0, y2 = 0;
           for (unsigned int i = 0; i < 3; ++i)
             {
-              const double x = std::pow(2., 2. - i), y = study.levels[i].values[c];
+              const double x = factors[i], y = study.levels[i].values[c];
               s2 += x * x, s3 += x * x * x, s4 += x * x * x * x, y1 += x * y, y2 += x * x * y;
             }
           const double determinant = s2 * s4 - s3 * s3;

@@ -119,8 +119,8 @@ namespace dpcontact
           here["paper_interpolation"] = percent(type.interpolation);
           here["paper_regression"]    = percent(type.regression);
           for (std::size_t k = 0; k < methods.size(); ++k)
-            here[to_string(methods[k])] =
-              by_name(relative(values_of(tables[k].at(type.input).published), computed));
+            here[to_string(methods[k])] = by_name(relative(
+              values_of(tables[k].at(type.input, Outside::refuse, Laws::any).published), computed));
         }
       return result;
     }
@@ -174,7 +174,9 @@ namespace dpcontact
                   const LookupResult found = tables[k].at(paper_case(material.at("E"),
                                                                      material.at("nu"),
                                                                      material.at("phi"),
-                                                                     material.at("sigma-c")));
+                                                                     material.at("sigma-c")),
+                                                          Outside::refuse,
+                                                          Laws::any);
                   errors.add(relative(values_of(found.published), computed));
                 }
               result[to_string(methods[k])] = errors.json();

@@ -3,10 +3,32 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace dpcontact
 {
+  namespace
+  {
+    /// Of the terminal.
+    std::size_t columns()
+    {
+      winsize size{};
+      return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+    }
+  } // namespace
+
+  std::string fitted(const std::string &text, const std::size_t columns)
+  {
+    std::size_t width = 0, end = 0;
+    const auto  is_first_byte = [](const char c) {
+      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    };
+    while (end < text.size() && (!is_first_byte(text[end]) || ++width < columns))
+      ++end;
+    return text.substr(0, end);
+  }
+
   Progress::Progress(const std::size_t rows, const std::size_t finished_before)
     : total(rows)
     , done(finished_before)
@@ -43,7 +65,8 @@ namespace dpcontact
         const char *const clear_line = "\r\033[K";
         if (matters)
           std::cerr << clear_line << text << '\n';
-        std::cerr << clear_line << status << "; " << (matters ? "" : text) << std::flush;
+        std::cerr << clear_line << fitted(status + "; " + (matters ? "" : text), columns())
+                  << std::flush;
       }
   }
 

@@ -32,6 +32,10 @@ namespace dpcontact
 
   /// "48 s", "12 min", "3 h 5 min"
   std::string format_duration(double seconds);
+
+  /// The beginning of a UTF-8 text that leaves the last of so many columns free, so that a terminal
+  /// neither breaks the line nor fails to clear it.
+  std::string fitted(const std::string &text, std::size_t columns);
 } // namespace dpcontact
 
 #endif

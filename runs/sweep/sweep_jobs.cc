@@ -6,11 +6,14 @@
 #include "solver/path/families.h"
 #include "solver/path/solution.h"
 #include "solver/path/solve.h"
+#include "solver/problem/case.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <numeric>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -127,6 +130,9 @@ namespace dpcontact
     catch (const SolverError &error)
       {
         fail(error);
+        if (!error.log.empty() && isatty(STDERR_FILENO) == 0)
+          std::cerr << "sweep: " + label(sweep.cases[job.wanted.front()]) + ": " + error.log + "\n"
+                    << std::flush;
       }
     catch (const InputError &error)
       {

@@ -81,6 +81,16 @@ namespace dpcontact
     const double      k       = material.compressive_strength * kappa / std::sqrt(3.);
     const AxisMaximum maximum = axis_maximum(nu, kappa);
 
+    // The cone inside the yield surface has α and k smaller by the same factor; the largest tension
+    // of Hertz's field is (1−2ν)P₀/3, on the ring.
+    const double inside       = inscribed_cone(material);
+    double       inner_stress = 3 * inside * k / (1 - 2 * nu);
+    if (material.tension_cutoff)
+      inner_stress = std::min(inner_stress, 3 * *material.tension_cutoff / (1 - 2 * nu));
+    const double inner_axis = inside < 1
+                                ? inside * k / axis_maximum(nu, 1 - inside * (1 - kappa)).ratio
+                                : k / maximum.ratio;
+
     // Contact radius over sphere radius, a/R = π P₀ (1−ν²)/(2E), and F = (2/3) π a² P₀.
     const double slope = M_PI * (1 - nu * nu) / (2 * material.youngs_modulus);
     const auto   force = [&](const double pressure) {
@@ -96,6 +106,8 @@ namespace dpcontact
     yield.depth_over_contact_radius = maximum.depth;
     yield.ring_pressure             = 3 * shear_strength(material) / (1 - 2 * nu);
     yield.ring_force                = force(yield.ring_pressure);
+    yield.elastic_pressure          = std::min(inner_axis, inner_stress);
+    yield.elastic_force             = force(yield.elastic_pressure);
     yield.body_force                = {yield.force, yield.force};
     return yield;
   }
@@ -124,12 +136,14 @@ namespace dpcontact
             yield.pressure                  = second.pressure;
             yield.depth_over_contact_radius = second.depth_over_contact_radius;
           }
-        yield.ring_pressure = std::min(yield.ring_pressure, second.ring_pressure);
+        yield.ring_pressure    = std::min(yield.ring_pressure, second.ring_pressure);
+        yield.elastic_pressure = std::min(yield.elastic_pressure, second.elastic_pressure);
       }
     yield.force          = force(yield.pressure);
     yield.contact_radius = radius * (slope * yield.pressure);
     yield.approach       = yield.contact_radius * (slope * yield.pressure);
     yield.ring_force     = force(yield.ring_pressure);
+    yield.elastic_force  = force(yield.elastic_pressure);
     return yield;
   }
 } // namespace dpcontact

@@ -18,6 +18,11 @@ namespace dpcontact
     double depth_over_contact_radius; ///< u = z/a of the yielding point on the axis
     double ring_pressure; ///< Hertz peak pressure at which the ring r = a, z = 0 yields, Pa
     double ring_force;    ///< force at which the ring yields, N
+    /// Up to this Hertz peak pressure nothing yields anywhere, for certain: that of the largest
+    /// circular cone inside the yield surface and of the tension cut-off, Pa. For the circular cone
+    /// itself it is the smaller of `pressure` and `ring_pressure`.
+    double elastic_pressure;
+    double elastic_force; ///< force of that pressure, N
     /// The force at which each body yields on its own axis in this contact, N; infinite for a rigid
     /// one. F_y is the smaller of the two.
     std::array<double, 2> body_force;

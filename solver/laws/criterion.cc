@@ -32,9 +32,9 @@ namespace dpcontact
     return definition_of(material.criterion).shear_strength(material);
   }
 
-  bool onset_is_known(const Material &material)
+  double inscribed_cone(const Material &material)
   {
-    return definition_of(material.criterion).onset_is_known(material);
+    return definition_of(material.criterion).inscribed_cone(material);
   }
 
   MaterialParameter dilation_parameter()

@@ -24,9 +24,10 @@ namespace dpcontact
     /// Strength in pure shear: the largest σ₁ = −σ₃ with σ₂ = 0, Pa.
     double (*shear_strength)(const Material &);
 
-    /// Whether yield starts on the axis or on the ring for certain, so that below both loads
-    /// nothing yields.
-    bool (*onset_is_known)(const Material &);
+    /// The deviatoric strength of the largest circular cone with the same apex that lies inside the
+    /// yield surface, over that in triaxial compression: at most 1. What stays inside it is
+    /// elastic.
+    double (*inscribed_cone)(const Material &);
   };
 
   const CriterionDefinition &definition_of(Criterion criterion);
@@ -37,8 +38,8 @@ namespace dpcontact
   /// definition_of(material.criterion).shear_strength(material)
   double shear_strength(const Material &material);
 
-  /// definition_of(material.criterion).onset_is_known(material)
-  bool onset_is_known(const Material &material);
+  /// definition_of(material.criterion).inscribed_cone(material)
+  double inscribed_cone(const Material &material);
 
   // Parameters that more than one criterion has.
   MaterialParameter dilation_parameter();

@@ -24,7 +24,8 @@ namespace dpcontact
       return laws::drucker_prager_strength(m.friction_angle.radians(), m.compressive_strength) * 2 /
              (1 + 1 / m.flow_stress_ratio);
     };
-    definition.onset_is_known = [](const Material &m) { return m.flow_stress_ratio == 1; };
+    // t = q in compression and q/K in extension, where the section is narrowest
+    definition.inscribed_cone = [](const Material &m) { return m.flow_stress_ratio; };
     return definition;
   }
 } // namespace dpcontact

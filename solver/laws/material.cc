@@ -23,7 +23,6 @@ namespace dpcontact
       p.example        = "10GPa";
       p.get            = [](const Material &m) { return m.youngs_modulus; };
       p.set            = [](Material &m, const double value) { m.youngs_modulus = value; };
-      p.of_second_body = true;
       p.second_word    = "rigid";
       return p;
     }
@@ -31,31 +30,29 @@ namespace dpcontact
     MaterialParameter ratio_parameter()
     {
       MaterialParameter p;
-      p.name           = "nu";
-      p.symbol         = "nu";
-      p.title          = "Poisson's ratio nu";
-      p.help           = "Poisson's ratio, at least 0 and below 0.5";
-      p.description    = "Poisson's ratio";
-      p.range          = {0, 0.5, false, true};
-      p.get            = [](const Material &m) { return m.poisson_ratio; };
-      p.set            = [](Material &m, const double value) { m.poisson_ratio = value; };
-      p.of_second_body = true;
+      p.name        = "nu";
+      p.symbol      = "nu";
+      p.title       = "Poisson's ratio nu";
+      p.help        = "Poisson's ratio, at least 0 and below 0.5";
+      p.description = "Poisson's ratio";
+      p.range       = {0, 0.5, false, true};
+      p.get         = [](const Material &m) { return m.poisson_ratio; };
+      p.set         = [](Material &m, const double value) { m.poisson_ratio = value; };
       return p;
     }
 
     MaterialParameter friction_parameter()
     {
       MaterialParameter p;
-      p.name           = "phi";
-      p.symbol         = "phi";
-      p.title          = "friction angle phi";
-      p.help           = "friction angle in degrees, at least 0 and below 90";
-      p.description    = "friction angle";
-      p.dimension      = Dimension::angle;
-      p.range          = {0, 90, false, true};
-      p.get            = [](const Material &m) { return m.friction_angle.degrees(); };
-      p.set            = [](Material &m, const double value) { m.friction_angle = Angle(value); };
-      p.of_second_body = true;
+      p.name        = "phi";
+      p.symbol      = "phi";
+      p.title       = "friction angle phi";
+      p.help        = "friction angle in degrees, at least 0 and below 90";
+      p.description = "friction angle";
+      p.dimension   = Dimension::angle;
+      p.range       = {0, 90, false, true};
+      p.get         = [](const Material &m) { return m.friction_angle.degrees(); };
+      p.set         = [](Material &m, const double value) { m.friction_angle = Angle(value); };
       return p;
     }
 
@@ -72,7 +69,6 @@ namespace dpcontact
       p.example        = "15MPa";
       p.get            = [](const Material &m) { return m.compressive_strength; };
       p.set            = [](Material &m, const double value) { m.compressive_strength = value; };
-      p.of_second_body = true;
       return p;
     }
 

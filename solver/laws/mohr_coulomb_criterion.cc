@@ -60,7 +60,11 @@ namespace dpcontact
         std::cos(phi) * laws::mohr_coulomb_cohesion(phi, m.compressive_strength);
       return m.tension_cutoff ? std::min(strength, *m.tension_cutoff) : strength;
     };
-    definition.onset_is_known = [](const Material &) { return false; };
+    // √J₂ = (C cosφ − p sinφ)/(cosθ − sinθ sinφ/√3) is least at tanθ = −sinφ/√3, on a face
+    definition.inscribed_cone = [](const Material &m) {
+      const double sine = std::sin(m.friction_angle.radians());
+      return (3 - sine) / std::sqrt(12 + 4 * sine * sine);
+    };
     return definition;
   }
 } // namespace dpcontact

@@ -36,6 +36,10 @@ namespace dpcontact
           return "m";
         case Dimension::force:
           return "N";
+        case Dimension::density:
+          return "kg/m3";
+        case Dimension::velocity:
+          return "m/s";
         case Dimension::angle:
           return "deg";
         case Dimension::number:

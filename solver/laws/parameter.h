@@ -18,12 +18,14 @@ namespace dpcontact
     pressure, ///< Pa
     length,   ///< m
     force,    ///< N
+    density,  ///< kg/m3
+    velocity, ///< m/s
     angle,    ///< degrees
     number    ///< no unit
   };
 
   /// The unit in which numbers of a dimension are kept, as it stands in the names of columns: "Pa",
-  /// "m", "N", "deg"; "1" of a number without one.
+  /// "m", "N", "kg/m3", "m/s", "deg"; "1" of a number without one.
   const char *unit_of(Dimension dimension);
 
   /// The values that a number may have. All are finite.
@@ -73,8 +75,8 @@ namespace dpcontact
     std::string instead_of = {};
     /// A parameter that may not be given beside this one, because this one leaves nothing to it.
     std::string makes_needless = {};
-    /// Of a second body that differs there is an option of its own, --sigma-c-2.
-    bool of_second_body = false;
+    /// A second body may have another value: there is an option of its own, --sigma-c-2.
+    bool of_second_body = true;
     /// What may stand there instead of a number: "rigid" of E, "flat" of the radius.
     std::string second_word = {};
 

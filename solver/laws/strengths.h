@@ -42,6 +42,12 @@ namespace dpcontact::laws
     return compressive_strength / 2 * std::tan((M_PI / 2 - friction_angle) / 2);
   }
 
+  /// The tensile pressure C cotφ at which the pyramid ends, in the unit of σc; infinite for φ = 0.
+  inline double mohr_coulomb_apex(const double friction_angle, const double compressive_strength)
+  {
+    return mohr_coulomb_cohesion(friction_angle, compressive_strength) / std::tan(friction_angle);
+  }
+
   /// σc of the cohesion C, the inverse of mohr_coulomb_cohesion().
   inline double mohr_coulomb_compressive_strength(const double friction_angle,
                                                   const double cohesion)

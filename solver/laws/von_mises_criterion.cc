@@ -38,7 +38,7 @@ namespace dpcontact
     definition.shear_strength = [](const Material &m) {
       return laws::drucker_prager_strength(0, m.compressive_strength);
     };
-    definition.onset_is_known = [](const Material &) { return true; };
+    definition.inscribed_cone = [](const Material &) { return 1.; };
     return definition;
   }
 } // namespace dpcontact

@@ -39,7 +39,9 @@ namespace dpcontact
       region.surface->radius_max = std::max(region.surface->radius_max, other.surface->radius_max);
     }
 
-    std::vector<bool> plastic_cells(const ContactSystem<2> &system, const ZoneRule rule)
+    /// Of the cells of one body, in their order.
+    std::vector<bool>
+    plastic_cells(const ContactSystem<2> &system, const ZoneRule rule, const unsigned int body)
     {
       const auto       &strain = system.points().history().accumulated_strain;
       const auto       &branch = system.points().branches();
@@ -51,7 +53,8 @@ namespace dpcontact
           for (std::size_t q = 0; q < cell.points.size(); ++q)
             yielded += rule == ZoneRule::yielded ? strain[point + q] > 0
                                                  : branch[point + q] != laws::Branch::elastic;
-          plastic.push_back(2 * yielded >= cell.points.size());
+          if (cell.body == body)
+            plastic.push_back(2 * yielded >= cell.points.size());
           point += cell.points.size();
         }
       return plastic;
@@ -173,10 +176,13 @@ namespace dpcontact
     }
   } // namespace
 
-  PlasticZone plastic_zone(const ContactSystem<2> &system, const double length, const ZoneRule rule)
+  PlasticZone plastic_zone(const ContactSystem<2> &system,
+                           const double            length,
+                           const ZoneRule          rule,
+                           const unsigned int      body)
   {
     const auto                    &space   = system.discretisation();
-    const std::vector<bool>        plastic = plastic_cells(system, rule);
+    const std::vector<bool>        plastic = plastic_cells(system, rule, body);
     const std::vector<std::size_t> region  = regions_of(space, plastic);
     const double                   edge    = system.contact().edge_radius(system.unknowns());
     Parts                          parts;
@@ -184,7 +190,7 @@ namespace dpcontact
       if (const std::size_t index = cell->active_cell_index(); plastic[index])
         {
           Part &part = parts[region[index]];
-          add_cell(cell, space.cells()[index], length, part.region);
+          add_cell(cell, space.cells()[body * plastic.size() + index], length, part.region);
           add_boundary(cell, edge, length, part);
         }
     PlasticZone zone;

@@ -65,10 +65,13 @@ namespace dpcontact
     flowing  ///< those that yield in the present load step
   };
 
-  /// The first body's zone at the state last committed to the system.
+  /// A body's zone at the state last committed to the system.
   /// @param length factor from the system's unit of length to m.
-  PlasticZone
-  plastic_zone(const ContactSystem<2> &system, double length, ZoneRule rule = ZoneRule::yielded);
+  /// @param body 0, or 1 where two bodies deform.
+  PlasticZone plastic_zone(const ContactSystem<2> &system,
+                           double                  length,
+                           ZoneRule                rule = ZoneRule::yielded,
+                           unsigned int            body = 0);
 } // namespace dpcontact
 
 #endif

@@ -11,6 +11,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -82,6 +83,13 @@ namespace dpcontact
       return units.strain() * points.history().accumulated_strain[point];
     }
 
+    /// Mises stress and plastic strain, which a projection to the corners may undershoot.
+    template <int dim>
+    bool is_never_negative(const unsigned int v)
+    {
+      return v > Kinematics<dim>::n_strains;
+    }
+
     /// Index of the first quadrature point of every cell of the mesh that this process has of a
     /// body; `no_point` of the others.
     template <int dim>
@@ -124,10 +132,36 @@ namespace dpcontact
                 at_points[q] = value_at<dim>(system.points(), first + q, v, units);
               project.vmult(at_corners, at_points);
               for (unsigned int i = 0; i < local.size(); ++i)
-                values[v][local[i]] = at_corners[i];
+                values[v][local[i]] =
+                  is_never_negative<dim>(v) ? std::max(0., at_corners[i]) : at_corners[i];
             }
         }
       return values;
+    }
+
+    /// The mean of a value over the volume of every cell, which no recovery has touched.
+    template <int dim>
+    dealii::Vector<double> cell_means(const ContactSystem<dim>       &system,
+                                      const UnitSystem               &units,
+                                      const unsigned int              v,
+                                      const unsigned int              body,
+                                      const std::vector<std::size_t> &first_point)
+    {
+      dealii::Vector<double> means(static_cast<unsigned int>(first_point.size()));
+      for (const auto &cell : system.discretisation().cells())
+        {
+          if (cell.body != body)
+            continue;
+          double sum = 0, volume = 0;
+          for (std::size_t q = 0; q < cell.points.size(); ++q)
+            {
+              const double weight = cell.points[q].weight;
+              sum += weight * value_at<dim>(system.points(), first_point[cell.index] + q, v, units);
+              volume += weight;
+            }
+          means[cell.index] = sum / volume;
+        }
+      return means;
     }
 
     /// What a function writes to a stream.
@@ -181,14 +215,22 @@ namespace dpcontact
       const auto                     values = corner_values(system, units, corners, first_point);
 
       dealii::DataOut<dim> output;
+      output.attach_dof_handler(corners);
       output.add_data_vector(
         nodes,
         displacement,
         std::vector<std::string>(dim, "displacement"),
         std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>(
           dim, dealii::DataComponentInterpretation::component_is_part_of_vector));
+      std::vector<dealii::Vector<double>> means;
+      for (unsigned int v = Kinematics<dim>::n_strains; v < n_values<dim>; ++v)
+        means.push_back(cell_means(system, units, v, body, first_point));
       for (unsigned int v = 0; v < n_values<dim>; ++v)
         output.add_data_vector(corners, values[v], value_name<dim>(v));
+      for (unsigned int i = 0; i < means.size(); ++i)
+        output.add_data_vector(means[i],
+                               value_name<dim>(Kinematics<dim>::n_strains + i) + "_of_cell",
+                               dealii::DataOut<dim>::type_cell_data);
       // Other processes write the cells that this one does not have.
       output.set_cell_selection([&](const auto &cell) {
         return cell->is_active() && first_point[cell->active_cell_index()] != no_point;

@@ -2,7 +2,6 @@
 
 #include "meshing/errors.h"
 #include "solver/closed_form/hertz.h"
-#include "solver/laws/criterion.h"
 #include "solver/path/contact_model.h"
 #include "solver/path/elastic_solution.h"
 #include "solver/path/pilot.h"
@@ -261,8 +260,7 @@ namespace dpcontact
           const auto &[material, scene] = members[i];
           const FirstYield yield        = first_yield(material, scene.radius);
           family.load_level[i]          = scene.force_max / yield.force;
-          if (options.closed_form && onset_is_known(material) &&
-              scene.force_max <= yield.onset_force())
+          if (options.closed_form && scene.force_max <= yield.elastic_force)
             {
               family.solutions[i]      = elastic_solution(material, scene, elastic_steps);
               family.solutions[i].used = options;
@@ -346,7 +344,7 @@ namespace dpcontact
         Solution &solution              = family.solutions[i];
         solution.cost.wall_seconds      = seconds / static_cast<double>(members.size());
         solution.cost.peak_memory_bytes = peak_memory();
-        add_warnings(members[i].scene, solution);
+        add_warnings(members[i], solution);
       }
     return std::move(family.solutions);
   }

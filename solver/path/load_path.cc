@@ -112,10 +112,17 @@ namespace dpcontact
       message << "; where flow dilates less than the friction angle a stable "
                  "equilibrium need not exist: a larger dilation angle, hardening or a "
                  "smaller peak force helps";
-    message << "; residuals";
-    for (const double r : report.residuals)
-      message << ' ' << r;
     return message.str();
+  }
+
+  template <int dim>
+  std::string LoadPath<dim>::failure_log() const
+  {
+    std::ostringstream text;
+    text << "residuals";
+    for (const double r : report.residuals)
+      text << ' ' << r;
+    return text.str();
   }
 
   template <int dim>
@@ -145,7 +152,7 @@ namespace dpcontact
           {
             ++count.cut_backs;
             if (steps.halvings == options.max_cut_backs)
-              throw SolverError(failure(stage));
+              throw SolverError(failure(stage), failure_log());
             steps.halve();
           }
       }

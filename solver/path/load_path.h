@@ -122,6 +122,8 @@ namespace dpcontact
     void accept(const typename ContactSystem<dim>::Snapshot &before, double target);
     /// Says where the path ended and why.
     std::string failure(const char *stage) const;
+    /// Numbers that belong to it.
+    std::string failure_log() const;
     void        check(const StepIntegrals &integrals);
     CurvePoint  record();
 

@@ -1,28 +1,39 @@
 #include "solver/path/solution.h"
 
-#include <sstream>
+#include "solver/closed_form/hertz.h"
+#include "solver/closed_form/plausibility.h"
+#include "solver/problem/quantity.h"
+
 #include <sys/resource.h>
 
 namespace dpcontact
 {
-  void add_warnings(const Scene &scene, Solution &solution)
+  namespace
   {
-    const auto        &peak = solution.curve.loading.back();
-    std::ostringstream text;
-    if (peak.contact_radius > 0.1 * scene.radius)
-      {
-        text << "small strain is left behind: contact radius over sphere radius is "
-             << peak.contact_radius / scene.radius << " (> 0.1)";
-        solution.warnings.push_back(text.str());
-      }
+    bool has_cutoff(const Case &input)
+    {
+      const auto &second = input.scene.second;
+      return input.material.tension_cutoff ||
+             (second && second->material && second->material->tension_cutoff);
+    }
+  } // namespace
+
+  void add_warnings(const Case &input, Solution &solution)
+  {
+    for (std::string &doubt : doubts_about(input, solution.curve.loading.back().contact_radius))
+      solution.warnings.push_back(std::move(doubt));
+    const CurvePoint &peak  = solution.curve.loading.back();
+    const double      hertz = hertz::approach(input.material, input.scene, peak.force);
+    constexpr double  shown = 2e-3; // more than mesh and steps leave
+    if (peak.approach < (1 - shown) * hertz && has_cutoff(input))
+      solution.warnings.push_back(
+        "the approach at the peak is " + format_quantity(peak.approach / hertz, Dimension::number) +
+        " of Hertz's: material that has opened in tension beside the contact stays open when the "
+        "contact grows over it, and carries it");
     const double strain = solution.curve.unloading.back().plastic_strain_max;
     if (strain > 0.1)
-      {
-        text.str("");
-        text << "small strain is left behind: the largest plastic strain is " << strain
-             << " (> 0.1)";
-        solution.warnings.push_back(text.str());
-      }
+      solution.warnings.push_back("small strain is left behind: the largest plastic strain is " +
+                                  format_quantity(strain, Dimension::number) + " (> 0.1)");
   }
 
   std::uint64_t peak_memory()

@@ -6,9 +6,9 @@
 #include "solver/output/plastic_zone.h"
 #include "solver/output/pressure_profile.h"
 #include "solver/output/recovery.h"
+#include "solver/problem/case.h"
 #include "solver/problem/curve.h"
 #include "solver/problem/options.h"
-#include "solver/problem/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -43,6 +43,8 @@ namespace dpcontact
     std::optional<PlasticZone>
       plastic_zone; ///< yielded up to F_max; unset where Hertz's form was used
     std::optional<PlasticZone> flow_zone; ///< yielding at F_max; unset in the same case
+    /// The same of the second body, where that is another and deforms.
+    std::optional<PlasticZone> second_plastic_zone, second_flow_zone;
     /// In space: how far the pressure at F_max is from axisymmetric (pressure_profile.h). Otherwise
     /// 0.
     double axisymmetry_deviation = 0;
@@ -59,8 +61,9 @@ namespace dpcontact
     std::vector<std::string> warnings; ///< e.g. small strain left behind
   };
 
-  /// Adds what limits the trust in a solution to its `warnings`: a/R > 0.1, plastic strain > 0.1.
-  void add_warnings(const Scene &scene, Solution &solution);
+  /// Adds what limits the trust in a solution to its `warnings`: doubts_about() the case with the
+  /// contact radius that was found, and a plastic strain > 0.1.
+  void add_warnings(const Case &input, Solution &solution);
 
   /// Largest memory that this process has held, bytes.
   std::uint64_t peak_memory();

@@ -1,7 +1,7 @@
 #include "solver/path/solve.h"
 
 #include "meshing/errors.h"
-#include "solver/laws/criterion.h"
+#include "solver/closed_form/plausibility.h"
 #include "solver/output/recovery.h"
 #include "solver/path/contact_model.h"
 #include "solver/path/elastic_solution.h"
@@ -74,6 +74,13 @@ namespace dpcontact
           solution.peak_axis    = axis_profile(model.system(), model.units());
           solution.plastic_zone = plastic_zone(model.system(), length);
           solution.flow_zone    = plastic_zone(model.system(), length, ZoneRule::flowing);
+          if (model.system().discretisation().n_bodies() == 2)
+            {
+              solution.second_plastic_zone =
+                plastic_zone(model.system(), length, ZoneRule::yielded, 1);
+              solution.second_flow_zone =
+                plastic_zone(model.system(), length, ZoneRule::flowing, 1);
+            }
           if (points)
             solution.peak_points = point_states(model.system(), model.units());
         }
@@ -112,6 +119,26 @@ namespace dpcontact
         solution.warnings.emplace_back(smooth_extrapolation_warning);
     }
 
+    /// Says beside the stage which run it is of those that the rule allows: each has twice the
+    /// steps of the one before.
+    StepObserver
+    naming_run(const StepObserver &observer, const StepRule &rule, const unsigned int steps)
+    {
+      if (!observer)
+        return observer;
+      unsigned int run = 1, most = 1;
+      for (unsigned int n = rule.first_steps; n < rule.last_steps; n *= 2)
+        {
+          run += n < steps;
+          ++most;
+        }
+      return [observer,
+              name = "run " + std::to_string(run) + " of at most " + std::to_string(most) +
+                     ", "](const char *stage, const double fraction, const int newton_iterations) {
+        observer((name + stage).c_str(), fraction, newton_iterations);
+      };
+    }
+
     /// Runs with halved steps until the curve is as accurate as asked for.
     template <int dim>
     void solve_on(const Task &task, Solution &solution)
@@ -125,9 +152,10 @@ namespace dpcontact
 
       StepRefinement<Curve> refinement(curve_comparison(), rule);
       const auto            run = [&](const unsigned int steps) {
-        const bool  first = steps == rule.first_steps; // it is never the finest
-        const Curve curve =
-          run_cycle(model, steps, task.observer, first ? CycleEvents() : events, &kept);
+        const bool         first = steps == rule.first_steps; // it is never the finest
+        const StepObserver observer = naming_run(task.observer, rule, steps);
+        const Curve        curve =
+          run_cycle(model, steps, observer, first ? CycleEvents() : events, &kept);
         add_cost(solution.cost, model);
         return StepRefinement<Curve>::Run{curve, model.counters().cut_backs > 0};
       };
@@ -151,6 +179,7 @@ namespace dpcontact
       task.material.check();
       task.scene.check();
       task.options.check();
+      check_possible({task.material, task.scene});
       if (!task.processes.alone() && !in_space(task.options.geometry))
         throw InputError(
           "geometry = axisymmetric is solved by one process: leave mpirun out, or ask for "
@@ -164,8 +193,7 @@ namespace dpcontact
     bool stays_elastic(const Task &task, const FirstYield &yield)
     {
       return task.options.closed_form && task.options.surface == Surface::parabola &&
-             !task.fields && onset_is_known(task.material) &&
-             task.scene.force_max <= yield.onset_force();
+             !task.fields && task.scene.force_max <= yield.elastic_force;
     }
 
     Solution solve_elastic(const Task &task)
@@ -210,7 +238,7 @@ namespace dpcontact
     const FirstYield yield    = first_yield(material, scene);
     const bool       elastic  = stays_elastic(task, yield);
     Solution         solution = elastic ? solve_elastic(task) : solve_plastic(task, yield);
-    add_warnings(scene, solution);
+    add_warnings({material, scene}, solution);
     solution.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     solution.cost.peak_memory_bytes =

@@ -112,8 +112,17 @@ namespace dpcontact
       throw StepsTooLarge(estimate.refusal);
     std::ostringstream message;
     message << "step-tolerance " << *rule.tolerance << " is not reached with " << steps
-            << " load steps: the error is estimated at " << estimate.error
-            << "; ask for a larger tolerance or refine the mesh (resolution)";
+            << " load steps: ";
+    const bool small = estimate.error <= *rule.tolerance;
+    if (!estimate.refusal.empty())
+      message << "the extrapolated curve is none (" << estimate.refusal << ")";
+    else if (small && !estimate.trusted)
+      message << "the error is estimated at " << estimate.error
+              << ", but steps had to be cut, so that the estimate cannot be trusted";
+    else
+      message << "the error is estimated at " << estimate.error;
+    message << (small ? "; refine the mesh (resolution)"
+                      : "; ask for a larger tolerance or refine the mesh (resolution)");
     throw SolverError(message.str());
   }
 

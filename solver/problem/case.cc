@@ -30,7 +30,6 @@ namespace dpcontact
       p.default_text   = own.default_text;
       p.instead_of     = own.instead_of;
       p.makes_needless = own.makes_needless;
-      p.of_second_body = own.of_second_body;
       p.second_word    = own.second_word;
       if (own.get)
         p.get = [get = own.get](const Case &c) { return get(c.material); };
@@ -52,7 +51,6 @@ namespace dpcontact
       p.get            = [](const Case &c) { return c.scene.radius; };
       p.of_scene       = true;
       p.set            = [](Case &c, const double value) { c.scene.radius = value; };
-      p.of_second_body = true;
       p.second_word    = "flat";
       return p;
     }
@@ -70,6 +68,7 @@ namespace dpcontact
       p.default_value  = Scene{}.force_max;
       p.get            = [](const Case &c) { return c.scene.force_max; };
       p.of_scene       = true;
+      p.of_second_body = false;
       p.set            = [](Case &c, const double value) { c.scene.force_max = value; };
       return p;
     }
@@ -82,9 +81,10 @@ namespace dpcontact
       p.symbol = "Lambda";
       p.title  = "load level Lambda";
       p.help   = "instead of force-max: Lambda, the peak force over F_y of the material and radius";
-      p.instead_of = "force_max";
-      p.of_scene   = true;
-      p.set        = [](Case &c, const double value) { c.scene.force_max = value; };
+      p.instead_of     = "force_max";
+      p.of_scene       = true;
+      p.of_second_body = false;
+      p.set            = [](Case &c, const double value) { c.scene.force_max = value; };
       return p;
     }
 
@@ -157,18 +157,18 @@ namespace dpcontact
           parameter.dimension);
     };
 
-    Case standard = input;
+    const auto is_left_out = [](const CaseParameter &parameter, const Case &of) {
+      if (parameter.of_scene || !parameter.may_be_left_out())
+        return false;
+      Case standard = of;
+      parameter.set(standard, parameter.default_value.value_or(std::nan("")));
+      const double value = parameter.get(of), usual = parameter.get(standard);
+      return value == usual || (std::isnan(value) && std::isnan(usual));
+    };
+
     for (const CaseParameter &parameter : stored_parameters())
-      {
-        if (!parameter.of_scene && parameter.may_be_left_out())
-          {
-            parameter.set(standard, parameter.default_value.value_or(std::nan("")));
-            const double value = parameter.get(input), usual = parameter.get(standard);
-            if (value == usual || (std::isnan(value) && std::isnan(usual)))
-              continue;
-          }
+      if (!is_left_out(parameter, input))
         add_parameter(parameter, input);
-      }
     if (const auto &second = input.scene.second)
       {
         text += "; against ";
@@ -179,8 +179,9 @@ namespace dpcontact
           text += ", rigid";
         else
           for (const CaseParameter &parameter : stored_parameters())
-            if (parameter.of_second_body && parameter.name != "radius")
-              add_parameter(parameter, {*second->material, {}});
+            if (const Case body{*second->material, {}};
+                !parameter.of_scene && !is_left_out(parameter, body))
+              add_parameter(parameter, body);
       }
     return (input.material.criterion == Criterion::drucker_prager
               ? ""

@@ -2,6 +2,8 @@
 
 #include "meshing/errors.h"
 
+#include <algorithm>
+
 namespace dpcontact
 {
   namespace
@@ -22,6 +24,11 @@ namespace dpcontact
   double Scene::effective_radius() const
   {
     return second ? 1 / (1 / radius + 1 / second->radius) : radius / 2;
+  }
+
+  double Scene::smaller_radius() const
+  {
+    return second ? std::min(radius, second->radius) : radius;
   }
 
   void Scene::check() const

@@ -26,6 +26,9 @@ namespace dpcontact
     /// R* = R₁R₂/(R₁ + R₂), m
     double effective_radius() const;
 
+    /// The smaller of R₁ and R₂, m.
+    double smaller_radius() const;
+
     /// @throws InputError naming the quantity unless radius and force are finite and positive, the
     /// second radius positive, and the second material in range.
     void check() const;

@@ -58,7 +58,9 @@ namespace dpcontact
         ++report.iterations;
         if (!problem.correction())
           {
-            report.reason = "the tangent is not positive definite";
+            report.reason =
+              "no correction was found: the tangent is singular or indefinite, or the linear "
+              "solver did not converge";
             return report;
           }
 

@@ -15,7 +15,7 @@ MAX_ENTRIES_OF_RUNS = 16
 # name: (lines, why it may be longer)
 LONGER_FILES = {
     "database/contact_law/contact_law.h":
-        (1200, "one file on purpose: a discrete-element code takes it away alone"),
+        (1250, "one file on purpose: a discrete-element code takes it away alone"),
 }
 
 

@@ -130,9 +130,9 @@ class Results(program.TestCase):
             self.assertEqual((self.directory / "out" / name).read_text(encoding="utf-8"), "mine")
 
     def test_a_failed_solve_says_so(self):
-        # Nothing that weak carries the load.
-        weak = ["solve", "--E", "10GPa", "--nu", "0.2", "--phi", "20", "--sigma-c", "1Pa", "--resolution", "12",
-                "--step-tolerance", "1e-2"]
+        # No number of steps meets that tolerance.
+        weak = ["solve", "--E", "10GPa", "--nu", "0.2", "--phi", "20", "--sigma-c", "20MPa", "--resolution", "8",
+                "--step-tolerance", "1e-9"]
         result = self.run_program(*weak, "--output", "out")
         self.assertEqual(result.returncode, SOLVER, result.stderr)
         found = self.result("out")

@@ -99,12 +99,12 @@ class Ranks(grids.TestCase):
 
     def test_ranks_given_different_grids_end(self):
         """Orders are numbers of cases: one grid's must not be taken for another's."""
-        other = self.write("other.prm", GRID.replace("1GPa", "2GPa"))
+        other = self.write("other.prm", GRID.replace("200MPa", "300MPa"))
         self.assertNotEqual(other.read_text(encoding="utf-8"), GRID)
         ranks = [program.PROGRAM, "sweep", self.grid, "--database", "two.h5"]
         for theirs, words in (
                 ([program.PROGRAM, "sweep", other, "--database", "two.h5"],
-                 ["cases/", "1000000000.0 on rank 0 and 2000000000.0 on rank 1"]),
+                 ["cases/", "200000000.0 on rank 0 and 300000000.0 on rank 1"]),
                 ([*ranks, "--resolution", "13"], ["settings/", "12 on rank 0 and 13 on rank 1"]),
                 ([program.PROGRAM, "sweep", self.grid, "--database", "three.h5"],
                  ["two.h5", "three.h5"])):
@@ -119,8 +119,8 @@ class Ranks(grids.TestCase):
                 self.assertFalse((self.directory / "two.h5").exists())
 
     def test_failed_rows(self):
-        # nothing that weak carries the load
-        grid = self.write("failing.prm", GRID.replace("20MPa, 1GPa", "1Pa, 1GPa"))
+        # no number of steps meets that tolerance
+        grid = self.write("failing.prm", GRID.replace("= 1e-2", "= 1e-9").replace("= 12", "= 8"))
         result = self.run_ranks(2, grid, "--database", "two.h5")
         self.assertEqual(result.returncode, INCOMPLETE, result.stderr)
         self.assertEqual(self.run_program("sweep", grid, "--jobs", "2", "--database",

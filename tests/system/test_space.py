@@ -95,7 +95,7 @@ class Space(program.TestCase):
                 self.assertEqual(other["linear_solver"]["iterations"] > 0, kind == "iterative")
                 self.expect_same(alone[kind], other, 1e-8)
                 # One process says how far they are, in a log as well.
-                self.assertEqual(result.stderr.count("dpcontact: unloading 100 %"), 2)
+                self.assertEqual(result.stderr.count("unloading 100 %"), 2)
 
     def test_a_killed_run_goes_on(self):
         undisturbed = self.document(*SMALL)

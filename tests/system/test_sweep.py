@@ -116,9 +116,9 @@ class Sweep(grids.TestCase):
         grid = self.write("slow.prm", SLOW_GRID)
 
         def little_time():
-            resource.setrlimit(resource.RLIMIT_CPU, (1, 100))  # SIGXCPU after 1 s, for each process by itself
+            resource.setrlimit(resource.RLIMIT_CPU, (3, 100))  # SIGXCPU after 3 s, for each process by itself
 
-        arguments = ["sweep", grid, "--jobs", "1", "--resolution", "32", "--database", "table.h5"]
+        arguments = ["sweep", grid, "--jobs", "1", "--resolution", "48", "--database", "table.h5"]
         result = self.run_program(*arguments, preexec_fn=little_time)
         self.assertIn(result.returncode, (SUCCESS, INTERNAL), result.stderr)
         self.assertIn(f"signal {int(signal.SIGXCPU)}", result.stderr)
@@ -129,7 +129,7 @@ class Sweep(grids.TestCase):
     def test_a_sweep_adds_rows(self):
         self.succeed(*self.arguments, "table.h5")
         before = self.table("table.h5")
-        other = self.write("other.prm", GRID.replace("20MPa, 1GPa", "30MPa"))
+        other = self.write("other.prm", GRID.replace("20MPa, 200MPa", "30MPa"))
         arguments = ["sweep", other, "--jobs", "2", "--database", "table.h5"]
         found = self.document(*arguments)
         self.assertEqual((found["rows"], found["computed"], found["kept"]), (2, 2, 4))
@@ -198,7 +198,7 @@ class Sweep(grids.TestCase):
             self.assertEqual(len(self.table("table.h5")), 4)
 
     def test_families(self):
-        grid = self.write("families.prm", GRID.replace("20MPa, 1GPa", "5MPa, 20MPa, 1GPa"))
+        grid = self.write("families.prm", GRID.replace("20MPa, 200MPa", "5MPa, 20MPa, 200MPa"))
         arguments = ["sweep", grid, "--jobs", "2", "--mode", "families", "--database"]
         first = self.document(*arguments, "families.h5")
         self.assertEqual((first["computed"], first["converged"]), (6, 6))

@@ -71,7 +71,7 @@ class Lookup(program.TestCase):
 
         def empty(document):
             values = document.values() if isinstance(document, dict) else document
-            return any(value in (None, "", {}, []) or isinstance(value, (dict, list)) and empty(value)
+            return any(value in (None, {}, []) or isinstance(value, (dict, list)) and empty(value)
                        for value in values)
 
         solved = self.document("solve", *TYPE_1)
@@ -138,7 +138,7 @@ class Lookup(program.TestCase):
                 self.assertEqual(float(row[column]), value)
         self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid)  # a list is no scene
         self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--csv", "laws.csv", "--curve", "9")
-        self.assertIn("phi", self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--phi", "25,60", "--csv", "new.csv"))
+        self.assertIn("phi", self.fail_with(BAD_INPUT, "lookup", "--parameter-file", grid, "--phi", "60,70", "--csv", "new.csv"))
         self.assertFalse((self.directory / "new.csv").exists())
 
     def test_outside_the_data(self):

@@ -93,7 +93,7 @@ class Validate(unittest.TestCase):
                 ((), 3, "give a DATABASE, --histories, or both"),
                 (("rows.h5", "--table", "nowhere.csv"), 4, "nowhere.csv"),
                 (("nowhere.h5",), 4, "nowhere.h5"),
-                (("rows.h5", "--table", "grid.prm"), 7, "grid.prm.sha256 is missing"),
+                (("rows.h5", "--table", "grid.prm"), 7, "grid.prm is not a database or table"),
                 (("rows.h5", "--table", "signed.prm"), 7, "the header lacks the column")]:
             with self.subTest(words):
                 result = run(self.directory, "validate", *words)

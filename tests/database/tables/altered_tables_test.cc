@@ -258,7 +258,6 @@ TEST_F(AlteredTables, WhatIsWrongWithRowsNoReaderTakes)
     {"plastic_strain_max", where},
     {"dissipated_energy_J", "how much stays in the bodies as residual stress is not in the row"},
     {"step_error", "it is estimated from states that are not stored"},
-    {"warnings", "a text for people"},
     {"a_window_change", sign},
     {"b_window_change", sign},
     {"m_window_change", sign},

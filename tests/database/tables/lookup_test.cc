@@ -1,8 +1,12 @@
+#include "database/rows/exports.h"
 #include "database/tables/estimators.h"
+#include "database/tables/material_table.h"
 #include "meshing/errors.h"
+#include "solver/closed_form/plausibility.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -77,6 +81,101 @@ namespace
     for (std::size_t c = 0; c < coefficient_names.size(); ++c)
       EXPECT_TRUE(std::isnan(found.uncertainty[c])) << coefficient_names[c];
     EXPECT_TRUE(std::isnan(found.peak_approach.uncertainty));
+  }
+
+  TEST(Lookup, AWideContactIsWarnedOfAndItsRadiusEntersEveryUncertainty)
+  {
+    Case wide                          = type_1;
+    wide.material.compressive_strength = 100e6;
+    wide.scene.radius                  = 0.3e-3;
+    wide.scene.force_max               = 4.8;
+    const LookupResult found = universal().at(wide), narrow = universal().at(type_1);
+    EXPECT_NE(joined(found.warnings).find("small strain"), std::string::npos);
+    EXPECT_TRUE(narrow.warnings.empty()) << joined(narrow.warnings);
+    // a and b move the approach as they move themselves
+    EXPECT_GT(found.peak_approach.uncertainty / found.peak_approach.value,
+              found.parts.finite_radius.a / found.coefficients.a / found.coefficients.b);
+    EXPECT_GT(found.residual_approach.uncertainty, found.peak_approach.uncertainty);
+    EXPECT_LT(narrow.peak_approach.uncertainty / narrow.peak_approach.value, 0.01);
+  }
+
+  TEST(Lookup, WhatARowDoesNotKnowNoMethodKnows)
+  {
+    const Database rows   = read_database(DPCONTACT_PAPERS_ROWS);
+    std::size_t    inside = 0, judged = 0;
+    for (const LookupMethod method : {LookupMethod::kriging, LookupMethod::natural_neighbour})
+      {
+        const LookupTable table(method, DPCONTACT_PAPERS_ROWS, make_estimator);
+        for (std::size_t i = 0; i < rows.records.size(); i += 9)
+          {
+            const Record      &row   = rows.records[i];
+            const LookupResult found = table.at(row.input);
+            for (std::size_t c = 0; c < coefficient_names.size(); ++c)
+              EXPECT_GE(found.published_uncertainty[c] * (1 + 1e-9),
+                        c % 2 == 1 ? row.error[c].total : 0);
+            inside += std::abs(found.peak_approach.value - row.state.approach_peak) <=
+                      found.peak_approach.uncertainty;
+            ++judged;
+          }
+      }
+    EXPECT_EQ(judged, 36U);
+    EXPECT_EQ(inside, judged);
+  }
+
+  TEST(Lookup, KrigingDoesNotDependOnTheOrderOfRows)
+  {
+    const LookupTable table(LookupMethod::kriging, DPCONTACT_PAPERS_ROWS, make_estimator);
+    Database          rows = read_database(DPCONTACT_PAPERS_ROWS);
+    std::reverse(rows.records.begin(), rows.records.end());
+    const auto     reversed = MaterialTable::from_rows(rows);
+    const auto     method   = make_estimator(LookupMethod::kriging, reversed);
+    const Material material{10e9, 0.15, Angle(25), 15e6};
+    const auto     estimate = method->at(MaterialPoint::of(material));
+    // to the last digits of OpenTURNS, which sums over threads
+    EXPECT_NEAR(estimate.value[0] / table.at(type_1).published.a, 1, 1e-10);
+  }
+
+  TEST(Lookup, ImpossibleLawsAreRefused)
+  {
+    const LookupTable table(LookupMethod::table_2, DPCONTACT_PAPERS_ROWS);
+    std::size_t       refused = 0;
+    for (const Record &row : read_database(DPCONTACT_PAPERS_ROWS).records)
+      {
+        const std::string message = refusal(table, row.input);
+        if (message != "(answered)")
+          {
+            EXPECT_NE(message.find("no possible law"), std::string::npos) << message;
+            ++refused;
+            continue;
+          }
+        const LookupResult found = table.at(row.input);
+        EXPECT_GE(found.residual_approach.value, 0);
+        EXPECT_LT(found.residual_approach.value, found.peak_approach.value);
+        EXPECT_GE(found.coefficients.n, 1);
+      }
+    EXPECT_GT(refused, 0U);
+    Case far                          = type_1;
+    far.material.compressive_strength = 5e9;
+    try
+      {
+        LookupTable(LookupMethod::regression, DPCONTACT_PAPERS_ROWS, make_estimator)
+          .at(far, Outside::extrapolate);
+        ADD_FAILURE();
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("no possible law"), std::string::npos)
+          << error.what();
+      }
+  }
+
+  TEST(Lookup, SaysWhereNothingYields)
+  {
+    Case light            = type_1;
+    light.scene.force_max = 5;
+    EXPECT_TRUE(universal().at(light).elastic());
+    EXPECT_EQ(universal().at(light).residual_approach.uncertainty, 0);
+    EXPECT_FALSE(universal().at(type_1).elastic());
   }
 
   TEST(Lookup, OverThePapersRowsAsksForItsRadiusAndForce)

@@ -53,7 +53,15 @@ namespace
     EXPECT_EQ(scene_json(input)["second"], (Json{{"radius", "flat"}, {"rigid", true}}));
     input.scene.second = SecondBody{0.2, rock(Criterion::drucker_prager)};
     EXPECT_EQ(keys(scene_json(input)["second"]),
-              (Keys{"radius", "rigid", "E", "nu", "phi_deg", "sigma_c"}));
+              (Keys{"radius",
+                    "rigid",
+                    "E",
+                    "nu",
+                    "phi_deg",
+                    "sigma_c",
+                    "flow_stress_ratio",
+                    "dilation_deg",
+                    "hardening"}));
   }
 
   TEST(Documents, OptionsAreThoseThatCount)

@@ -1,6 +1,7 @@
 #include "meshing/errors.h"
 #include "runs/interface/case_input.h"
 #include "runs/interface/parameter_file.h"
+#include "runs/interface/spelling.h"
 #include "solver/closed_form/first_yield.h"
 
 #include <gtest/gtest.h>
@@ -169,6 +170,80 @@ namespace
     EXPECT_NEAR(metal.scene.force_max,
                 7 * first_yield(metal.material, metal.scene.radius).force,
                 1e-9 * metal.scene.force_max);
+  }
+
+  TEST_F(ParameterFile, what_people_mistype_is_said)
+  {
+    EXPECT_EQ(complaint("set E = 1GPa\nset nu = 0.2\nset E = 2GPa\n"),
+              at_line(3) + "E is set twice, first in line 1: leave one of them out");
+    EXPECT_EQ(complaint("set sigma_c = 1MPa\n"),
+              at_line(1) + "there is no entry sigma_c (did you mean sigma-c?)");
+    EXPECT_EQ(complaint("\nE = 1GPa\n"),
+              at_line(2) + "'E = 1GPa' is no entry: write 'set E = 1GPa'");
+    EXPECT_EQ(read("\xEF\xBB\xBFset E = 1GPa\n").at("E"), "1GPa"); // a byte-order mark
+  }
+
+  SettingTexts with(SettingTexts texts, const SettingTexts &more)
+  {
+    texts.insert(more.begin(), more.end());
+    return texts;
+  }
+
+  // What is said of the first holds for the second, not what followed from it.
+  TEST_F(ParameterFile, second_body_is_as_said_of_the_first)
+  {
+    const SettingTexts coulomb{{"criterion", "mohr-coulomb"},
+                               {"E", "10GPa"},
+                               {"nu", "0.2"},
+                               {"phi", "25"},
+                               {"cohesion", "5MPa"}};
+    const Case         input  = read_case(with(coulomb, {{"phi-2", "35"}}));
+    const Material     second = input.scene.second->material.value();
+    SettingTexts       alone  = coulomb;
+    alone["phi"]              = "35";
+    EXPECT_TRUE(second == read_case(alone).material);
+    EXPECT_EQ(input.scene.second->radius, input.scene.radius);
+
+    const Case stronger = read_case(with(coulomb, {{"sigma-c-2", "20MPa"}, {"dilation-2", "3"}}));
+    EXPECT_EQ(stronger.scene.second->material->compressive_strength, 20e6);
+    EXPECT_EQ(stronger.scene.second->material->flow_angle(), Angle(3));
+    EXPECT_EQ(stronger.material.flow_angle(), Angle(25));
+
+    const SettingTexts metal{
+      {"criterion", "von-mises"}, {"E", "193GPa"}, {"nu", "0.3"}, {"yield-stress", "255MPa"}};
+    EXPECT_EQ(read_case(with(metal, {{"yield-stress-2", "300MPa"}, {"hardening-2", "1GPa"}}))
+                .scene.second->material->hardening,
+              1e9);
+    EXPECT_THROW(read_case(with(metal, {{"phi-2", "30"}})), InputError);
+    EXPECT_THROW(read_case(with(coulomb, {{"phi-2", "35"}, {"E-2", "rigid"}})), InputError);
+    EXPECT_FALSE(read_case(with(coulomb, {{"E-2", "rigid"}})).scene.second->material.has_value());
+    EXPECT_TRUE(std::isinf(read_case(with(coulomb, {{"radius-2", "flat"}})).scene.second->radius));
+  }
+
+  TEST_F(ParameterFile, load_level_counts_in_the_yield_force_of_the_pair)
+  {
+    const SettingTexts texts{{"E", "10GPa"},
+                             {"nu", "0.2"},
+                             {"phi", "25"},
+                             {"sigma-c", "15MPa"},
+                             {"sigma-c-2", "5MPa"},
+                             {"radius-2", "20mm"},
+                             {"load-level", "7"}};
+    const Case         input = read_case(texts);
+    EXPECT_NEAR(input.scene.force_max / first_yield(input.material, input.scene).force, 7, 1e-12);
+  }
+
+  TEST(Spelling, near_words_are_found_and_far_ones_are_not)
+  {
+    const std::vector<std::string> words{"solve", "sweep", "sigma-c", "hard-cases"};
+    EXPECT_EQ(nearest("solv", words), "solve");
+    EXPECT_EQ(nearest("Solve", words), "solve");
+    EXPECT_EQ(nearest("sigma_c", words), "sigma-c");
+    EXPECT_EQ(nearest("hardcases", words), "hard-cases");
+    EXPECT_EQ(nearest("frobnicate", words), "");
+    EXPECT_EQ(nearest(std::string(100000, 'x'), words), "");
+    EXPECT_EQ(suggestion("swep", words), " (did you mean sweep?)");
+    EXPECT_EQ(suggestion("xyz", words), "");
   }
 
   TEST_F(ParameterFile, load_level_takes_the_place_of_a_force)

@@ -1,7 +1,7 @@
 #include "meshing/errors.h"
 #include "solver/closed_form/first_yield.h"
 #include "solver/closed_form/hertz.h"
-#include "solver/laws/drucker_prager.h"
+#include "solver/laws/law.h"
 #include "solver/laws/strengths.h"
 #include "tests/support/floating_point_traps.h"
 
@@ -103,6 +103,68 @@ namespace
       }
     const FirstYield axis_first = first_yield(material(10e9, 0.3, 20, 20e6), 0.1);
     EXPECT_EQ(axis_first.onset_force(), axis_first.force);
+  }
+
+  /// Stresses of Hertz's contact below the surface (Huber 1904; Johnson 1985, ch. 3), a = p₀ = 1.
+  laws::StressTensor hertz_stress(const double nu, const double r, const double z)
+  {
+    const double       difference = r * r + z * z - 1;
+    const double       u     = (difference + std::sqrt(difference * difference + 4 * z * z)) / 2;
+    const double       ratio = z / std::sqrt(u), cube = ratio * ratio * ratio * u / (u * u + z * z);
+    const double       arc   = (1 + nu) * std::sqrt(u) * std::atan(1 / std::sqrt(u));
+    const double       shell = (1 - 2 * nu) / (3 * r * r) * (1 - ratio * ratio * ratio);
+    laws::StressTensor sigma;
+    sigma[0][0] = shell + cube + ratio * (u * (1 - nu) / (1 + u) + arc - 2);
+    sigma[1][1] = -cube;
+    sigma[2][2] = -shell - ratio * (2 * nu + (1 - nu) * u / (1 + u) - arc);
+    sigma[0][1] = -r * z * z / (u * u + z * z) * std::sqrt(u) / (1 + u);
+    return sigma;
+  }
+
+  // Nothing yields up to the elastic force: by the yield functions, at 40,000 places of the field.
+  TEST(FirstYield, NothingYieldsUpToTheElasticForce)
+  {
+    std::size_t judged = 0;
+    for (const auto change : {+[](Material &) {},
+                              +[](Material &m) { m.flow_stress_ratio = 0.8; },
+                              +[](Material &m) { m.criterion = Criterion::mohr_coulomb; },
+                              +[](Material &m) {
+                                m.criterion      = Criterion::mohr_coulomb;
+                                m.tension_cutoff = 1e6;
+                              },
+                              +[](Material &m) {
+                                m.criterion      = Criterion::von_mises;
+                                m.friction_angle = Angle(0);
+                              }})
+      for (const double nu : {0., 0.15, 0.3, 0.45})
+        for (const double phi : {5., 25., 50.})
+          {
+            Material m = material(10e9, nu, phi, 15e6);
+            change(m);
+            const FirstYield yield   = first_yield(m, 0.1);
+            const laws::Law  law     = law_of(m);
+            double           largest = -std::numeric_limits<double>::max();
+            for (int i = 1; i <= 200; ++i)
+              for (int j = 1; j <= 200; ++j)
+                largest = std::max(
+                  largest,
+                  laws::yield_excess(
+                    law, yield.elastic_pressure * hertz_stress(nu, 0.015 * i, 0.015 * j), 0));
+            EXPECT_LE(largest, 1e-9) << nu << ' ' << phi;
+            EXPECT_LE(yield.elastic_force, yield.onset_force() * (1 + 1e-12));
+            EXPECT_GT(yield.elastic_force, 0);
+            ++judged;
+          }
+    EXPECT_EQ(judged, 60U);
+  }
+
+  TEST(FirstYield, OfTheCircularConeTheElasticForceIsThatOfTheOnset)
+  {
+    for (const double phi : {0., 20., 40.})
+      {
+        const FirstYield yield = first_yield(material(10e9, 0.2, phi, 20e6), 0.1);
+        EXPECT_NEAR(yield.elastic_force / yield.onset_force(), 1, 1e-14);
+      }
   }
 
   TEST(FirstYield, LoadLevelsOfTheGridOf162Materials)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -89,6 +90,72 @@ namespace
       {
         EXPECT_STREQ(error.what(), "F: '3 kg' is not a force in mN, N, kN or MN");
       }
+  }
+
+  std::string refusal(const std::string &text, const Dimension dimension)
+  {
+    try
+      {
+        parse_quantities("x", text, dimension);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "(read)";
+  }
+
+  TEST(QuantityList, every_item_has_a_unit_or_none_has_or_it_stands_behind_a_bracket)
+  {
+    using List = std::vector<double>;
+    EXPECT_EQ(parse_quantities("E", "10GPa, 20 GPa", Dimension::pressure), (List{1e10, 2e10}));
+    EXPECT_EQ(parse_quantities("E", "1e10,2e10", Dimension::pressure), (List{1e10, 2e10}));
+    EXPECT_EQ(parse_quantities("E", "(10, 20,30) GPa", Dimension::pressure),
+              (List{1e10, 2e10, 3e10}));
+    EXPECT_EQ(parse_quantities("R", "[0.25,0.5]mm", Dimension::length), (List{.25e-3, .5e-3}));
+    EXPECT_EQ(parse_quantities("phi", "35, 5", Dimension::angle), (List{35, 5}));
+    EXPECT_EQ(parse_quantities("K", "1", Dimension::number), (List{1}));
+  }
+
+  TEST(QuantityList, what_may_mean_two_things_is_refused_with_both)
+  {
+    struct Row
+    {
+      const char *text;
+      Dimension   dimension;
+      const char *one, *other;
+    };
+    for (const Row &row :
+         {Row{"10,20,30GPa", Dimension::pressure, "10 Pa, 20 Pa, 30 GPa", "10 GPa, 20 GPa, 30 GPa"},
+          Row{"10,5GPa", Dimension::pressure, "10 Pa, 5 GPa", "10 GPa, 5 GPa"},
+          Row{"0.25,0.5,1mm", Dimension::length, "250 mm, 500 mm, 1 mm", "250 um, 500 um, 1 mm"},
+          Row{"10GPa,20", Dimension::pressure, "10 GPa, 20 Pa", "10 GPa, 20 GPa"},
+          Row{"35,5", Dimension::angle, "'35, 5'", "'35.5'"},
+          Row{"0,2", Dimension::number, "'0, 2'", "'0.2'"}})
+      {
+        const std::string message = refusal(row.text, row.dimension);
+        EXPECT_NE(message.find(row.one), std::string::npos) << message;
+        EXPECT_NE(message.find(row.other), std::string::npos) << message;
+      }
+    EXPECT_NE(refusal("(10,20GPa", Dimension::pressure).find("bracket"), std::string::npos);
+    EXPECT_NE(refusal("(10GPa,20)MPa", Dimension::pressure).find("behind"), std::string::npos);
+    EXPECT_NE(refusal("10GPa,10000MPa", Dimension::pressure).find("twice"), std::string::npos);
+    EXPECT_NE(refusal("1,,2", Dimension::number).find("not a number"), std::string::npos);
+  }
+
+  TEST(Format, values_have_the_digits_that_their_uncertainty_leaves)
+  {
+    const auto number = [](const double value, const double uncertainty) {
+      return format_uncertain(value, uncertainty, Dimension::number);
+    };
+    EXPECT_EQ(number(1.0145557, .0049385), "1.015 ± 0.005");
+    EXPECT_EQ(number(1.4731, .0102), "1.473 ± 0.011"); // never less than it is
+    EXPECT_EQ(number(1.4731, .35), "1.5 ± 0.4");
+    EXPECT_EQ(number(1234.5, 56), "1234 ± 56");
+    EXPECT_EQ(number(1.5, 0), "1.5 ± 0");
+    EXPECT_EQ(number(1.25, std::nan("")), "1.25");
+    EXPECT_EQ(format_uncertain(16.586e-6, .1e-6, Dimension::length), "(16.59 ± 0.10) um");
+    EXPECT_EQ(format_uncertain(0, 3e-9, Dimension::length), "(0 ± 3) nm");
   }
 
   TEST(Count, takes_non_negative_integers_only)
