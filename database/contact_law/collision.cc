@@ -34,7 +34,9 @@ namespace dpcontact
       [](const char *name, const double value, const double low, const double high) {
         std::ostringstream range;
         range << "from " << low << " to " << high << " in SI units";
-        check(value >= low && value <= high, name, value, range.str().c_str());
+        // NaN is asked for first: an ordered comparison with it raises a floating-point exception
+        check(
+          std::isfinite(value) && value >= low && value <= high, name, value, range.str().c_str());
       };
     // Far beyond all grains, and where no power of them leaves the range of doubles.
     check_within("radius", spheres.radius_1, 1e-9, 1e6);
@@ -89,8 +91,9 @@ namespace dpcontact
     result.restitution      = -velocity / speed;
     // The law creates no energy; the rest is the integration's error.
     constexpr double rounding = 1e-3;
-    if (!(result.restitution >= 0 && result.restitution <= 1 + rounding) ||
-        !std::isfinite(result.peak_force + result.peak_overlap + result.duration))
+    if (!std::isfinite(result.restitution + result.peak_force + result.peak_overlap +
+                       result.duration) ||
+        result.restitution < 0 || result.restitution > 1 + rounding)
       {
         std::ostringstream message;
         message << "collision: no rebound was found (restitution " << result.restitution
