@@ -9,7 +9,9 @@
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace dpcontact
@@ -262,6 +264,7 @@ namespace dpcontact
       smooth.push_back(curve_through(x, list, gsl_interp_cspline));
     for (const auto &list : reading.misfits)
       misfit.push_back(curve_through(x, list, gsl_interp_linear));
+    find_crests(x);
   }
 
   double UniversalFamily::approach(const double load_level, const Outside outside) const
@@ -275,6 +278,46 @@ namespace dpcontact
     return hertz * std::exp(smooth[ln_approach](std::log(load_level)));
   }
 
+  double UniversalFamily::residual_of_splines(const double x) const
+  {
+    return std::exp(2. / 3 * x) *
+           (std::exp(smooth[ln_approach](x)) - std::exp(smooth[ln_recovered](x)));
+  }
+
+  void UniversalFamily::find_crests(const std::vector<double> &x)
+  {
+    constexpr unsigned int places = 16; // of an interval: every crest among them is refined
+    constexpr int          bits   = std::numeric_limits<double>::digits / 2;
+    for (std::size_t k = 0; k + 1 < x.size(); ++k)
+      {
+        const double                   width = (x[k + 1] - x[k]) / places;
+        std::array<double, places + 1> height{};
+        for (unsigned int i = 0; i <= places; ++i)
+          height[i] = residual_of_splines(x[k] + i * width);
+        crests.emplace_back(x[k], height[0]);
+        for (unsigned int i = 1; i < places; ++i)
+          if (height[i] >= height[i - 1] && height[i] >= height[i + 1])
+            {
+              const auto lowest = boost::math::tools::brent_find_minima(
+                [this](const double place) { return -residual_of_splines(place); },
+                x[k] + (i - 1) * width,
+                x[k] + (i + 1) * width,
+                bits);
+              crests.emplace_back(lowest.first, -lowest.second);
+            }
+      }
+    crests.emplace_back(x.back(), residual_of_splines(x.back()));
+  }
+
+  double UniversalFamily::residual_up_to(const double x) const
+  {
+    double largest = std::max(0., residual_of_splines(x));
+    for (const auto &[place, height] : crests)
+      if (place <= x)
+        largest = std::max(largest, height);
+    return std::min(largest, std::exp(2. / 3 * x + smooth[ln_approach](x)));
+  }
+
   UniversalValue UniversalFamily::at(const double load_level, const Outside outside) const
   {
     UniversalValue value{};
@@ -285,9 +328,8 @@ namespace dpcontact
         value.law_exponent = 1.5;
         return value;
       }
-    const double x = std::log(load_level);
-    const double recovered =
-      std::min(std::pow(load_level, 2. / 3) * std::exp(smooth[ln_recovered](x)), value.approach);
+    const double x         = std::log(load_level);
+    const double recovered = value.approach - residual_up_to(x);
     const double b = smooth[loading_exponent](x), n = smooth[unloading_exponent](x);
     const double a =
       load_level * std::exp(smooth[ln_loading_at_peak](x)) / std::pow(value.approach, b);

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dpcontact
@@ -69,9 +70,17 @@ namespace dpcontact
     double highest() const { return levels.back(); } ///< largest load level of the table
 
   private:
+    /// δ_res/δ_y at ln Λ = x: the largest of all levels up to there, since more load leaves no
+    /// smaller residual (two splines, whose difference is small at first yield, may say so).
+    double residual_up_to(double x) const;
+    double residual_of_splines(double x) const;
+    /// Finds where it turns round, between the levels ln Λ and at them.
+    void find_crests(const std::vector<double> &x);
+
     double                                     onset_level;
     std::vector<double>                        levels; ///< Λ
     std::vector<std::function<double(double)>> smooth; ///< over ln Λ
+    std::vector<std::pair<double, double>>     crests; ///< ln Λ and δ_res/δ_y
     double                                     phi_deg;
     /// Over ln Λ, linear: the misfit of a, b, m, n; every part of the uncertainty of every outcome.
     std::vector<std::function<double(double)>>                                 misfit;

@@ -169,6 +169,31 @@ namespace
       }
   }
 
+  TEST(Lookup, MoreLoadLeavesNoSmallerResidual)
+  {
+    std::size_t judged = 0;
+    for (const double nu : {0., 0.1, 0.2, 0.3})
+      for (const double phi : {25., 30., 35., 40., 45.})
+        {
+          Case         input            = type_1;
+          double       last             = 0;
+          const double ratio            = 1.06;
+          input.material.poisson_ratio  = nu;
+          input.material.friction_angle = Angle(phi);
+          const double yield            = first_yield(input.material, input.scene).force;
+          for (double level = 0.1; level < 20; level *= ratio)
+            {
+              input.scene.force_max = level * yield;
+              const double residual = universal().at(input).residual_approach.value;
+              EXPECT_GE(residual, last * (1 - 1e-12)) << nu << ' ' << phi << ' ' << level;
+              last = residual;
+              ++judged;
+            }
+          EXPECT_GT(last, 0);
+        }
+    EXPECT_GT(judged, 1000U);
+  }
+
   TEST(Lookup, SaysWhereNothingYields)
   {
     Case light            = type_1;
