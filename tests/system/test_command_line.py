@@ -1,10 +1,14 @@
 """The command line: documents, messages and exit codes that need no computation of a curve."""
 
+import array
+import base64
 import csv
 import json
 import math
+import re
 import shutil
 import subprocess
+import zlib
 
 import program
 from program import BAD_INPUT, FILE, SUCCESS, USAGE
@@ -197,6 +201,24 @@ class Solve(program.TestCase):
         self.assertTrue(zone["elastic_cap"])
         self.assertLessEqual(flow["core"]["volume"], zone["core"]["volume"])
         self.assertLess(zone["axis_depth_min"], zone["axis_depth_max"])
+
+    @staticmethod
+    def fields(path):
+        """The arrays of a VTU file by name: single precision, in one block of zlib, behind a header of 16 bytes."""
+        entry = r'<DataArray type="Float32" Name="(\w+)"[^>]*format="binary">\s*([^<\s]+)\s*</DataArray>'
+        found = re.findall(entry, path.read_text(encoding="utf-8"))
+        return {name: array.array("f", zlib.decompress(base64.b64decode(content[24:]))) for name, content in found}
+
+    def test_fields_have_no_negative_stress_or_strain(self):
+        self.succeed("solve", *TYPE_1, *self.COARSE, "--output", "fields")
+        for state in ["peak", "released"]:
+            arrays = self.fields(self.directory / "fields" / f"{state}.vtu")
+            for name in ["mises_stress", "plastic_strain"]:
+                self.assertGreaterEqual(min(arrays[name]), 0)
+                self.assertGreaterEqual(min(arrays[f"{name}_of_cell"]), 0)
+                self.assertGreater(max(arrays[f"{name}_of_cell"]), 0)
+                self.assertLess(max(arrays[f"{name}_of_cell"]), 1.01 * max(arrays[name]))
+            self.assertIn("pressure_of_cell", arrays)
 
     def test_closed_form_has_no_plastic_zone(self):
         found = self.document("solve", "--E", "10GPa", "--nu", "0.2", "--phi", "30", "--sigma-c", "1GPa")

@@ -97,6 +97,33 @@ class Sweep(grids.TestCase):
         self.succeed(*self.arguments, "calm.h5")
         self.assertEqual(self.table("table.h5"), self.table("calm.h5"))
 
+    def test_an_interruption_says_what_is_kept(self):
+        self.write("grid.prm", SLOW_GRID)
+        with self.start("table.h5") as process:
+            for _ in range(2):
+                process.stderr.readline()
+            process.send_signal(signal.SIGINT)
+            log = process.stderr.read()
+        self.assertEqual(process.returncode, -signal.SIGINT, log)
+        self.assertIn("dpcontact: interrupted: the rows finished so far are kept in table.h5.rows, "
+                      "and the same command computes the others", log)
+        self.assertEqual(log.count("interrupted"), 1)  # the workers say nothing
+        grids.wait_for_end(f"{self.directory}")
+        self.assertEqual(self.document(*self.arguments, "table.h5")["converged"], 6)
+
+    def test_an_interrupted_solve_says_how_to_go_on(self):
+        state = self.directory / "state"
+        words = ["solve", "--E=10GPa", "--nu=0.2", "--phi=20", "--sigma-c=5MPa", f"--checkpoint={state}"]
+        with subprocess.Popen([program.PROGRAM, *words], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None and not state.exists():
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            log = process.stderr.read()
+        self.assertEqual(process.returncode, -signal.SIGINT, log)
+        self.assertIn(f"the state is kept in {state}, and the same command goes on from it", log)
+        self.assertIn("going on from", self.succeed(*words).stderr)
+
     def test_a_fault_of_the_machine_is_no_failed_row(self):
         def small_files():
             resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
