@@ -74,7 +74,8 @@ namespace dpcontact
     std::vector<std::string> warnings; ///< doubts_about() the case; that it lies outside the data
   };
 
-  /// Whether an answer must be a law that a contact may have: 0 ≤ δ_res < δ_max, n ≥ 1, all finite.
+  /// Whether an answer must be a law that a contact may have: 0 ≤ δ_res < δ_max but for the
+  /// stated uncertainty of δ_res, n ≥ 1, all finite.
   enum class Laws
   {
     possible,

@@ -25,8 +25,9 @@ namespace dpcontact::commands
                     const std::string                          &group,
                     const std::function<bool(const Setting &)> &shown)
   {
+    // What has no group stands in no help of CLI11.
     for (const Setting &setting : settings)
-      add_settings(command, {setting}, texts, shown(setting) ? group : ""); // CLI11 hides no group
+      add_settings(command, {setting}, texts, shown(setting) ? group : "");
   }
 
   void add_parameter_file(CLI::App &command, std::string &file)

@@ -132,7 +132,6 @@ namespace dpcontact
           "least " +
           pressure_text(least));
     }
-
   } // namespace
 
   std::vector<std::string> doubts_about(const Case &input, const double contact_radius)
